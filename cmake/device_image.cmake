@@ -17,7 +17,7 @@ set(KFAST_EACH_ITEM
     math/affine math/space
     parse_scene scene/input_view scene/item_view scene/label_view scene/path_view scene/scene_view
     prepared/key_timeline prepared/preparer prepared/prepared_scene
-    pose/item_state pose/live_scene pose/object_strokes pose/rigid_placement pose/scene_on_panel
+    pose/item_state pose/scene_state pose/object_strokes pose/rigid_placement pose/scene_on_panel
     scene_walk tracer)
 list(TRANSFORM KFAST_EACH_ITEM PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EACH_ITEM APPEND .cpp)

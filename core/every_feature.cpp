@@ -3,9 +3,9 @@
 #include "core/bytes/function_ref.hpp"
 #include "core/math/space.hpp"
 #include "core/math/turning.hpp"
-#include "core/pose/live_bones.hpp"
-#include "core/pose/live_drawings.hpp"
+#include "core/pose/input_drawings.hpp"
 #include "core/pose/object_strokes.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
 #include "core/scene/check/scene_check.hpp"
@@ -17,14 +17,14 @@ using namespace kfast;
 const StrokeFeature kfast_strokes{.emplace = emplace_stroke_outline};
 const TweenFeature kfast_tweens{.trace = plain_function<&ObjectStrokes::trace_way<ObjectOutline>>,
                                 .trace_kept = plain_function<&ObjectStrokes::trace_kept_way>};
-const BoneFeature kfast_bones{.check = bones_are_sound,
+const BoneFeature kfast_bones{.check = are_bones_valid,
                               .check_skin = plain_function<&SceneCheck::check_skin>,
                               .prepare = plain_function<&Preparer::add_skeletons>,
                               .set_up = set_up_bones,
                               .pose = pose_bones,
                               .carried = plain_function<&ObjectStrokes::carried_by_bones>};
 const BackboneFeature kfast_backbones{.check = plain_function<&SceneCheck::check_backbones>,
-                                      .live = plain_function<&ObjectStrokes::live_backbones>};
+                                      .live = plain_function<&ObjectStrokes::posed_backbones>};
 const DepthFeature kfast_depth{.tilted = tilted,
                                .product = product_in_depth,
                                .add_layers = plain_function<&Tracer::add_layers_in_depth>};
@@ -34,8 +34,8 @@ const PathFeature kfast_paths{.check = plain_function<&SceneCheck::check_path>, 
 const SmoothFeature kfast_smooth{.value = plain_function<&PreparedScene::smooth_value>};
 const TextFeature kfast_texts{.check = plain_function<&SceneCheck::check_label>,
                               .trace = plain_function<&Tracer::trace_label>};
-const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_usual>,
-                                    .show_usual = plain_function<&LiveDrawings::show_usual>,
+const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_default>,
+                                    .show_default = plain_function<&InputDrawings::show_default>,
                                     .trace = plain_function<&Tracer::trace_drawing>};
 
 namespace kfast {
@@ -58,8 +58,8 @@ constexpr TweenFeature tweens_of_beams{.trace = nullptr, .trace_kept = nullptr};
 constexpr DepthFeature depth_of_beams{.tilted = tilted, .product = product_in_depth, .add_layers = nullptr};
 constexpr WireFeature wires_of_beams{.check = plain_function<&SceneCheck::check_depths>, .trace = nullptr};
 constexpr TextFeature texts_of_beams{.check = plain_function<&SceneCheck::check_label>, .trace = nullptr};
-constexpr DrawingFeature drawings_of_beams{.check = plain_function<&SceneCheck::check_usual>,
-                                           .show_usual = plain_function<&LiveDrawings::show_usual>,
+constexpr DrawingFeature drawings_of_beams{.check = plain_function<&SceneCheck::check_default>,
+                                           .show_default = plain_function<&InputDrawings::show_default>,
                                            .trace = nullptr};
 
 }

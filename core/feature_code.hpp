@@ -8,14 +8,14 @@
 #include <span>
 
 /// The rest of the player reaches the code of a feature through these pointers alone, so that a linker can
-/// leave it out. Objects that only a feature makes (StrokeOutline, LiveBackbones, Projection, CarriedDrawing)
-/// carry pointers to what works on them.
+/// leave it out. Objects that only a feature makes (StrokeOutline, PosedBackbones, Projection,
+/// CarriedDrawing) carry pointers to what works on them.
 namespace kfast {
 
 class CarriedDrawing;
-class LiveBackbones;
-class LiveBone;
-class LiveDrawings;
+class PosedBackbones;
+class PosedBone;
+class InputDrawings;
 class ObjectOutline;
 class ObjectStrokes;
 class PackedDrawing;
@@ -34,7 +34,7 @@ struct DrawingInput;
 struct ItemView;
 struct Key;
 struct LabelView;
-struct LiveTrack;
+struct TrackState;
 struct PathPlace;
 struct PathView;
 struct Pen;
@@ -60,14 +60,14 @@ struct BoneFeature {
     bool (*check)(const SceneView&, std::uint32_t laws, ReadAllowance&);
     bool (*check_skin)(SceneCheck&, const Key&, std::uint32_t bones);
     void (*prepare)(Preparer&);
-    void (*set_up)(const SceneView&, const PreparedScene&, std::span<LiveBone>);
-    void (*pose)(const SceneView&, const PreparedScene&, std::span<LiveBone>);
+    void (*set_up)(const SceneView&, const PreparedScene&, std::span<PosedBone>);
+    void (*pose)(const SceneView&, const PreparedScene&, std::span<PosedBone>);
     CarriedDrawing (*carried)(const ObjectStrokes&, std::uint32_t drawing, std::int32_t skin);
 };
 
 struct BackboneFeature {
     bool (*check)(SceneCheck&, const BackbonesView&);
-    const LiveBackbones& (*live)(const ObjectStrokes&, PictureCache*);
+    const PosedBackbones& (*live)(const ObjectStrokes&, PictureCache*);
 };
 
 struct DepthFeature {
@@ -88,7 +88,7 @@ struct PathFeature {
 };
 
 struct SmoothFeature {
-    std::int32_t (*value)(const PreparedScene&, const SceneView&, const LiveTrack&);
+    std::int32_t (*value)(const PreparedScene&, const SceneView&, const TrackState&);
 };
 
 struct TextFeature {
@@ -98,7 +98,7 @@ struct TextFeature {
 
 struct DrawingFeature {
     bool (*check)(SceneCheck&, const DrawingInput&);
-    void (*show_usual)(const LiveDrawings&, const SceneView&);
+    void (*show_default)(const InputDrawings&, const SceneView&);
     void (*trace)(Tracer&, SceneWalk&);
 };
 

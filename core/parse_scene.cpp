@@ -111,7 +111,7 @@ template <std::size_t symbols>
     records_.levels = nested.levels;
     const std::uint32_t cost = cost_ + cost_of_records(records_, preparer.keys(), borders_);
     cost_ = static_cast<std::uint16_t>(std::min(cost, PictureCost::max));
-    return records_.timelines < LiveTrack::no_timeline && records_.tracks <= kfb::max_tracks &&
+    return records_.timelines < TrackState::no_timeline && records_.tracks <= kfb::max_tracks &&
            records_.nodes <= kfb::max_nodes;
 }
 
@@ -126,7 +126,7 @@ template <std::size_t symbols>
     frame_rate_ = rate_of(reader.varint());
     canvas_.width = read_side(reader);
     canvas_.height = read_side(reader);
-    camera_ = (head & camera_bit) != 0 ? static_cast<std::int32_t>(reader.varint()) : usual_camera(canvas_);
+    camera_ = (head & camera_bit) != 0 ? static_cast<std::int32_t>(reader.varint()) : default_camera(canvas_);
     const std::size_t colours = reader.u8();
     colour_bytes_ = (head & opacity_bit) != 0 ? 4 : 3;
     palette_ = reader.take(colours * colour_bytes_).rest();

@@ -58,7 +58,7 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
 
 /// What moves lies at the end, for it has any number of bytes.
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-    : LiveScene{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
+    : SceneState{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
       renderer_{needs_of(scene, panel), panel, scene.colour(0), block.first(block.size() - bytes_for(scene))}
 {
     move_to({});

@@ -4,7 +4,7 @@
 #include "core/math/canvas_map.hpp"
 #include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/raster/change.hpp"
 #include "core/raster/renderer.hpp"
 #include "core/scene/scene_view.hpp"
@@ -22,7 +22,7 @@ using raster::Change;
 ///
 /// The picture depends on scene, time, inputs, fit and panel size alone: not on earlier pictures, nor on how
 /// its rows are divided into bands or areas.
-class Player : public LiveScene {
+class Player : public SceneState {
 public:
     /// The sides of a panel are 1 … max_panel pixels long.
     static constexpr int max_panel = 4096;

@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-Playhead::Playhead(const Stretch& stretch, EventCursor events)
+Playhead::Playhead(const PlayRange& stretch, EventCursor events)
     : stretch_{stretch}, events_{events}, place_{place_of(stretch.begin)},
       has_events_{count({stretch.begin.ticks, stretch.end.ticks}) > 0}
 {
@@ -28,23 +28,23 @@ void Playhead::seek(Time moment)
     put_down_ = true;
 }
 
-Playhead::Place Playhead::way_in(std::int64_t ticks) const
+Playhead::SourceSpan Playhead::way_in(std::int64_t ticks) const
 {
-    const Place way = ticks * (speed_ < 0 ? -speed_ : speed_);
+    const SourceSpan way = ticks * (speed_ < 0 ? -speed_ : speed_);
     if (has_events_ || stretch_.loop == Loop::once)
         return way;
     const auto length = static_cast<std::uint32_t>(stretch_.length().ticks);
     const std::uint32_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
     const auto whole_ticks = static_cast<std::uint64_t>(way >> 16);
-    return Place{remainder(whole_ticks, period)} << 16 | (way & 0xFFFF);
+    return SourceSpan{remainder(whole_ticks, period)} << 16 | (way & 0xFFFF);
 }
 
-Playhead::Place Playhead::next_stop(Place way) const
+Playhead::SourceSpan Playhead::next_stop(SourceSpan way) const
 {
     return runs_back() ? std::max(goal(), place_ - way) : std::min(goal(), place_ + way);
 }
 
-Playhead::Ticks Playhead::ticks_to(Place place) const
+Playhead::Ticks Playhead::ticks_to(SourceSpan place) const
 {
     if (runs_back())
         return {ceiling(place), ceiling(place_) - 1};

@@ -23,11 +23,11 @@ public:
     static constexpr std::int32_t fastest = 16 * as_authored;
 
     /// Puts it down at the beginning, to run as authored. What `events` reads must outlive the playhead.
-    Playhead(const Stretch& stretch, EventCursor events);
+    Playhead(const PlayRange& stretch, EventCursor events);
     /// For the whole scene, whose bytes must outlive the playhead.
-    explicit Playhead(const SceneView& scene) : Playhead{stretch_of(scene), scene.events()} {}
+    explicit Playhead(const SceneView& scene) : Playhead{play_range_of(scene), scene.events()} {}
 
-    const Stretch& stretch() const { return stretch_; }
+    const PlayRange& stretch() const { return stretch_; }
     /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 stands.
     std::int32_t speed() const { return speed_; }
     void set_speed(std::int32_t speed) { speed_ = speed; }
@@ -56,25 +56,25 @@ public:
 
 private:
     /// Ticks of the timeline in Q16.
-    using Place = std::int64_t;
+    using SourceSpan = std::int64_t;
     /// The whole ticks from `first` to `last`, both included.
     struct Ticks {
         std::int32_t first = 0;
         std::int32_t last = 0;
     };
 
-    static constexpr Place place_of(Time time) { return Place{time.ticks} << 16; }
-    static constexpr std::int32_t floor(Place place) { return static_cast<std::int32_t>(place >> 16); }
-    static constexpr std::int32_t ceiling(Place place) { return floor(place + 0xFFFF); }
+    static constexpr SourceSpan place_of(Time time) { return SourceSpan{time.ticks} << 16; }
+    static constexpr std::int32_t floor(SourceSpan place) { return static_cast<std::int32_t>(place >> 16); }
+    static constexpr std::int32_t ceiling(SourceSpan place) { return floor(place + 0xFFFF); }
 
     bool runs_back() const { return (speed_ < 0) != returning_; }
     /// The end that it runs to.
-    Place goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
-    Place way_in(std::int64_t ticks) const;
+    SourceSpan goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
+    SourceSpan way_in(std::int64_t ticks) const;
     /// How far it comes on `way` without a turn.
-    Place next_stop(Place way) const;
+    SourceSpan next_stop(SourceSpan way) const;
     /// Where it arrives on the way to `place`: without the place where it stands.
-    Ticks ticks_to(Place place) const;
+    Ticks ticks_to(SourceSpan place) const;
     /// The events from tick `first` on.
     EventCursor events_from(std::int32_t first) const;
     std::int32_t count(Ticks ticks) const;
@@ -88,9 +88,9 @@ private:
     template <class Report>
     void turn(Report& report);
 
-    Stretch stretch_;
+    PlayRange stretch_;
     EventCursor events_;
-    Place place_;
+    SourceSpan place_;
     std::int32_t speed_ = as_authored;
     bool has_events_;
     bool returning_ = false; ///< on the way back of ping-pong
@@ -103,9 +103,9 @@ void Playhead::advance(std::int64_t ticks, Report&& report)
     if (put_down_)
         put_at(moment(), report);
     put_down_ = false;
-    Place way = way_in(ticks);
+    SourceSpan way = way_in(ticks);
     while (way > 0) {
-        const Place stop = next_stop(way);
+        const SourceSpan stop = next_stop(way);
         way -= stop < place_ ? place_ - stop : stop - place_;
         report_within(ticks_to(stop), report);
         place_ = stop;

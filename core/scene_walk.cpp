@@ -54,7 +54,7 @@ bool SceneWalk::enter(const Node& node)
     work_for(path);
     did(Work::item);
     Dependence dependence = outer.dependence;
-    for (const LiveTrack& track : prepared.tracks(node)) {
+    for (const TrackState& track : prepared.tracks(node)) {
         const Dependence of_track = prepared.dependence(track);
         whole_ = whole_ | of_track;
         if (shapes(static_cast<Property>(track.property)))
@@ -138,7 +138,7 @@ const Node* SceneWalk::next_by_order(WalkLevel& level) const
 
 std::int32_t SceneWalk::order_of(const Node& node) const
 {
-    for (const LiveTrack& track : on_panel_.prepared.tracks(node))
+    for (const TrackState& track : on_panel_.prepared.tracks(node))
         if (static_cast<Property>(track.property) == Property::order)
             return track.from;
     return 0;

@@ -21,7 +21,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_leg.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/beat_cursor.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/key_time_cursor.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/bit_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/bone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/bone_view.cpp
@@ -49,14 +49,14 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/pose/label_trace.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/label_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/law_pair.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_backbones.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_bones.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_drawings.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_scene.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_strokes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_texts.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/live_wires.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_backbones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_bones.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/input_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/input_drawings.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/scene_state.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_strokes.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/input_texts.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_wires.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/mark_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/object_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/object_strokes.cpp
@@ -97,7 +97,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_objects.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/scene_on_panel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/scene_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/sight.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/view_projection.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/segment.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/skin_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/space.cpp

@@ -3,8 +3,8 @@
 #include "core/bytes/work.hpp"
 #include "core/feature_code.hpp"
 #include "core/pixel/colour.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing.hpp"
 
 namespace kfast {
 namespace {
@@ -154,7 +154,7 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
 {
     const ItemState state = walk.state();
     const Projection projection{walk.space(), on_panel_.camera};
-    ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
+    ObjectOutline outline{picture_.outlines, ViewProjection{nullptr, picture_.coarseness}};
     outline.stroke_with(pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())),
                         pens());
     add_layer(Part::stroke, walk, [&] { strokes.trace(projection, outline); });
@@ -163,14 +163,14 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
 void Tracer::trace_live(SceneWalk& walk)
 {
     const Features& features = on_panel_.scene.features();
-    if (walk.node().live == LiveKind::label)
+    if (walk.node().live == InputLeaf::label)
         return features.texts->trace(*this, walk);
     features.drawings->trace(*this, walk);
 }
 
 void Tracer::trace_drawing(SceneWalk& walk)
 {
-    const LiveDrawing drawing = on_panel_.drawings.of(on_panel_.scene, walk.node().of);
+    const InputDrawing drawing = on_panel_.drawings.of(on_panel_.scene, walk.node().of);
     add_live_layers(
         walk, [&] { return start_of(drawing); },
         [&](const Affine& placement, ObjectOutline& outline) {
@@ -209,19 +209,19 @@ void Tracer::add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, Trace
     if (!walk.space().is_flat())
         return on_panel_.scene.features().depth->add_layers(*this, walk, first_point, trace);
     add_layers(
-        walk, Sight{nullptr, picture_.coarseness}, plane, [&] { return plane.growth(); }, trace);
+        walk, ViewProjection{nullptr, picture_.coarseness}, plane, [&] { return plane.growth(); }, trace);
 }
 
 void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
     const Projection projection{walk.space(), on_panel_.camera};
     add_layers(
-        walk, Sight{&projection, picture_.coarseness}, Affine{},
+        walk, ViewProjection{&projection, picture_.coarseness}, Affine{},
         [&] { return projection.growth_at(first_point()); }, trace);
 }
 
 /// growth() is by what the pen grows.
-void Tracer::add_layers(SceneWalk& walk, const Sight& sight, const Affine& placement,
+void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
                         FunctionRef<std::int32_t()> growth, TraceStrokes trace)
 {
     const ObjectStyle& style = walk.node().style;
@@ -251,7 +251,7 @@ void Tracer::add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,
 /// Contours that trace(upright placement, outline) adds.
 void Tracer::trace_upright(const RigidPlacement& placement, const Pen* pen, TraceStrokes trace)
 {
-    ObjectOutline outline{picture_.outlines, Sight{nullptr, picture_.coarseness}};
+    ObjectOutline outline{picture_.outlines, ViewProjection{nullptr, picture_.coarseness}};
     if (pen != nullptr)
         outline.stroke_with(*pen, pens());
     trace(placement.upright(), outline);

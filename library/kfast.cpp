@@ -158,7 +158,7 @@ kfast_error create_in(const Room& room, std::span<const std::byte> scene, Size p
 }
 
 /// Whether there was room for all of it.
-bool tell(kfast::LiveDrawing drawing, const kfast_point* points, std::span<const std::uint16_t> strokes)
+bool tell(kfast::InputDrawing drawing, const kfast_point* points, std::span<const std::uint16_t> strokes)
 {
     drawing.begin();
     for (const std::uint16_t count : strokes) {

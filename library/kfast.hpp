@@ -46,8 +46,8 @@ public:
     /// In its place at once, for a small stack: what create() returns is copied. `scene` was parsed, and
     /// `block` has Player::block_bytes() for it or more.
     Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-        : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))}, stretch_{
-                                                                                          stretch_of(scene)}
+        : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))}, stretch_{play_range_of(
+                                                                                          scene)}
     {
     }
 
@@ -57,10 +57,10 @@ public:
     {
         const auto clip = scene().clip(name);
         if (clip)
-            stretch_ = stretch_of(*clip);
+            stretch_ = play_range_of(*clip);
         return clip.has_value();
     }
-    void choose_scene() { stretch_ = stretch_of(scene()); }
+    void choose_scene() { stretch_ = play_range_of(scene()); }
 
     /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
     /// in, held within the input's range. At first inputs have their usual values. A number that
@@ -84,14 +84,14 @@ public:
     /// Sets a drawing among the inputs of the scene, from the next show() on: to `strokes`, their points in
     /// 1/16 px of the objects that show it. If there is no such drawing, or if it takes fewer strokes or
     /// points, nothing changes, and the answer is false.
-    bool set_drawing(std::string_view name, std::span<const LiveStroke> strokes)
+    bool set_drawing(std::string_view name, std::span<const InputStroke> strokes)
     {
         const auto number = input(name, InputType::drawing);
         return number && player_.set_drawing(*number, strokes);
     }
     /// For telling a drawing point by point; what is next is shown by show_next_drawing(name) alone. None if
     /// the scene has no such drawing.
-    std::optional<LiveDrawing> drawing(std::string_view name) const
+    std::optional<InputDrawing> drawing(std::string_view name) const
     {
         const auto number = input(name, InputType::drawing);
         return number ? std::optional{player_.drawing(*number)} : std::nullopt;
@@ -188,7 +188,7 @@ private:
     }
 
     Player player_;
-    Stretch stretch_;
+    PlayRange stretch_;
 };
 
 }

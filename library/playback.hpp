@@ -32,12 +32,12 @@ public:
     {
         const auto clip = animation_.scene().clip(name);
         if (clip)
-            begin(stretch_of(*clip));
+            begin(play_range_of(*clip));
         return clip && animation_.choose_clip(name);
     }
     void choose_scene()
     {
-        begin(stretch_of(animation_.scene()));
+        begin(play_range_of(animation_.scene()));
         animation_.choose_scene();
     }
 
@@ -71,7 +71,7 @@ private:
     /// 1/1000 frame per second times milliseconds, for each of which 1024 ticks pass.
     static constexpr std::uint64_t parts_of_tick = 1'000'000;
 
-    void begin(const Stretch& stretch)
+    void begin(const PlayRange& stretch)
     {
         playhead_ = Playhead{stretch, animation_.scene().events()};
         is_stale_ = true;

@@ -33,7 +33,7 @@ public:
 
 private:
     Ssi bus_;
-    Display panel_{bus_, facts_of(Controller::ssd0323).usual};
+    Display panel_{bus_, facts_of(Controller::ssd0323).default_value};
 };
 
 }

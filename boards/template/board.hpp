@@ -83,7 +83,7 @@ private:
     alignas(4) static inline std::array<std::byte, 16 * 1024> block_;
     alignas(4) static inline std::array<std::array<std::byte, band_bytes>, 2> bands_;
     Bus bus_;
-    Ssd0323<Bus> panel_{bus_, facts_of(Controller::ssd0323).usual};
+    Ssd0323<Bus> panel_{bus_, facts_of(Controller::ssd0323).default_value};
 };
 
 static_assert(kfast::PanelBoard<Board>);

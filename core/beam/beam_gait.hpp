@@ -12,7 +12,7 @@ namespace kfast {
 class BeamGait {
 public:
     /// As fast as can be: every line is crossed at once.
-    static constexpr int most_haste = 4 * 31;
+    static constexpr int max_haste = 4 * 31;
     /// Where light is told by speed, darker lines are drawn as if they were as bright as this, so that the
     /// beam is no more than 8 times as fast as along the brightest.
     static constexpr std::uint32_t darkest = 32;

@@ -45,7 +45,7 @@ void BeamLines::drop()
 
 bool BeamLines::has_room_for(std::size_t bytes)
 {
-    is_full_ = is_full_ || point_count_ == most_points || used_bytes() + bytes > size_;
+    is_full_ = is_full_ || point_count_ == max_points || used_bytes() + bytes > size_;
     return !is_full_;
 }
 

@@ -22,11 +22,11 @@ struct BeamLine {
 /// the back.
 class BeamLines {
 public:
-    static constexpr std::size_t most_points = 0xFFFF;
+    static constexpr std::size_t max_points = 0xFFFF;
     /// Lines that find room in so many bytes.
-    static constexpr std::size_t most_in(std::size_t bytes)
+    static constexpr std::size_t max_in(std::size_t bytes)
     {
-        return std::min(bytes / (sizeof(FieldPoint) + sizeof(BeamLine)), most_points);
+        return std::min(bytes / (sizeof(FieldPoint) + sizeof(BeamLine)), max_points);
     }
 
     BeamLines() = default;

@@ -28,17 +28,17 @@ private:
     void find_haste(int guess)
     {
         int too_slow = -1;
-        int fast_enough = BeamGait::most_haste + 1;
+        int fast_enough = BeamGait::max_haste + 1;
         int stride = 1;
         for (int haste = guess; too_slow + 1 < fast_enough;) {
             if (fits(haste, legs_.size()))
                 fast_enough = haste;
             else
                 too_slow = haste;
-            const bool is_bracketed = too_slow >= 0 && fast_enough <= BeamGait::most_haste;
+            const bool is_bracketed = too_slow >= 0 && fast_enough <= BeamGait::max_haste;
             haste = is_bracketed ? (too_slow + fast_enough) / 2
                                  : std::clamp(too_slow < 0 ? fast_enough - stride : too_slow + stride, 0,
-                                              BeamGait::most_haste);
+                                              BeamGait::max_haste);
             stride *= 2;
         }
     }
@@ -47,10 +47,10 @@ private:
     {
         std::size_t enough = 0;
         std::size_t too_many = legs_.size();
-        fits(BeamGait::most_haste, 0);
+        fits(BeamGait::max_haste, 0);
         while (enough + 1 < too_many) {
             const std::size_t middle = (enough + too_many) / 2;
-            (fits(BeamGait::most_haste, middle) ? enough : too_many) = middle;
+            (fits(BeamGait::max_haste, middle) ? enough : too_many) = middle;
         }
     }
 
@@ -75,12 +75,12 @@ private:
     /// A laser always has a point of it, so that what is longer adds nothing else.
     void add_pause()
     {
-        const std::uint32_t least = std::min(profile_.rate / BeamPace::most_refresh, budget_);
+        const std::uint32_t min = std::min(profile_.rate / BeamPace::max_refresh, budget_);
         BeamAmount& amount = found_->amount;
-        if (found_->pause == 0 || found_->legs == 0 || amount.points >= least)
+        if (found_->pause == 0 || found_->legs == 0 || amount.points >= min)
             return;
-        found_->pause += least - amount.points;
-        amount.points = least;
+        found_->pause += min - amount.points;
+        amount.points = min;
     }
 
     const BeamLines& lines_;

@@ -23,12 +23,12 @@ struct BeamAmount {
 struct BeamPace {
     int haste = 0;        ///< no more than is needed
     std::size_t legs = 0; ///< so many of the first ones can be drawn, however much the beam hurries
-    /// Points for which a laser rests, blanked, so that a picture takes 1/most_refresh s: else what is small
+    /// Points for which a laser rests, blanked, so that a picture takes 1/max_refresh s: else what is small
     /// would be drawn over and over, and dangerously bright.
     std::uint32_t pause = 0;
     BeamAmount amount;
 
-    static constexpr std::uint32_t most_refresh = 100; ///< pictures of a laser in a second
+    static constexpr std::uint32_t max_refresh = 100; ///< pictures of a laser in a second
 };
 
 /// `budget` is at least 1. The pace does not depend on `guess`, a haste that is tried first.

@@ -16,8 +16,8 @@ constexpr int merging_bits = 4;
 
 FieldPoint held(std::int32_t x, std::int32_t y)
 {
-    return {static_cast<std::int16_t>(std::min(x, field_most)),
-            static_cast<std::int16_t>(std::min(y, field_most))};
+    return {static_cast<std::int16_t>(std::min(x, field_max)),
+            static_cast<std::int16_t>(std::min(y, field_max))};
 }
 
 }
@@ -27,7 +27,7 @@ bool BeamPen::Place::is_in_field() const
     return x >= -border && x <= border && y >= -border && y <= border;
 }
 
-BeamPen::BeamPen(BeamLines& lines, const Sight& sight, int resolution, BeamInk ink, Colour colour,
+BeamPen::BeamPen(BeamLines& lines, const ViewProjection& sight, int resolution, BeamInk ink, Colour colour,
                  std::uint32_t item)
     : lines_{lines}, sight_{sight}, shift_{static_cast<int>(
                                                std::bit_width(static_cast<unsigned>(resolution))) -

@@ -4,7 +4,7 @@
 #include "core/beam/beam_profile.hpp"
 #include "core/math/point.hpp"
 #include "core/math/segment.hpp"
-#include "core/math/sight.hpp"
+#include "core/math/view_projection.hpp"
 #include "core/pixel/colour.hpp"
 
 #include <cstdint>
@@ -19,7 +19,7 @@ enum class BeamInk : std::uint8_t {
              ///< dots
 };
 
-/// Turns the live strokes of one object (LiveStrokes::trace()) into lines in the field.
+/// Turns the live strokes of one object (PosedStrokes::trace()) into lines in the field.
 ///
 /// Corners are rounded to units of the field, halves up; where lines cross its border is rounded from the
 /// exact crossing of these, whichever way the line runs. What lies beyond the border is cut off: a line that
@@ -27,7 +27,7 @@ enum class BeamInk : std::uint8_t {
 class BeamPen {
 public:
     /// `resolution` is that of the profile: so many pixels has a side of the panel that stands for the field.
-    BeamPen(BeamLines& lines, const Sight& sight, int resolution, BeamInk ink, Colour colour,
+    BeamPen(BeamLines& lines, const ViewProjection& sight, int resolution, BeamInk ink, Colour colour,
             std::uint32_t item);
 
     void begin(Point from);
@@ -59,7 +59,7 @@ private:
     bool is_near_last(Place to) const;
 
     BeamLines& lines_;
-    Sight sight_;
+    ViewProjection sight_;
     int shift_;            ///< from 1/65536 px to half units of the field
     std::int32_t merging_; ///< corners that lie so near to the one before are left out
     BeamInk ink_;

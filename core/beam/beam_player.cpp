@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_tracer.hpp"
 #include "core/beam/hatching_bytes.hpp"
-#include "core/bytes/block_cutter.hpp"
+#include "core/bytes/bump_allocator.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ struct BlockPlan {
     std::size_t live;
 
     BlockPlan(const SceneView& scene, const BeamProfile& profile, std::size_t live_bytes)
-        : lines{line_bytes(scene, profile)}, legs{whole_words(BeamLines::most_in(lines) * sizeof(BeamLeg))},
+        : lines{line_bytes(scene, profile)}, legs{whole_words(BeamLines::max_in(lines) * sizeof(BeamLeg))},
           live{live_bytes}
     {
     }
@@ -74,11 +74,11 @@ Result<BeamPlayer> BeamPlayer::create(const SceneView& scene, const BeamProfile&
 
 BeamPlayer::BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
                        std::span<std::byte> block)
-    : LiveScene{scene, field_panel(profile), Fit::contain, block.last(bytes_for(scene))}, profile_{profile},
-      budget_{std::min(budget, profile.rate / std::max<std::uint32_t>(profile.least_refresh, 1))}
+    : SceneState{scene, field_panel(profile), Fit::contain, block.last(bytes_for(scene))}, profile_{profile},
+      budget_{std::min(budget, profile.rate / std::max<std::uint32_t>(profile.min_refresh, 1))}
 {
     const BlockPlan plan{scene, profile, bytes_for(scene)};
-    BlockCutter cutter{block};
+    BumpAllocator cutter{block};
     lines_ = BeamLines{cutter.cut(plan.lines)};
     leg_storage_ = cutter.cut_as<BeamLeg>(plan.legs);
     move_to({});

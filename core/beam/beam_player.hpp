@@ -6,7 +6,7 @@
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
 #include "core/bytes/result.hpp"
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
@@ -33,7 +33,7 @@ struct BeamReport {
 /// Draws any moment of a scene as points of a beam, in memory that the caller lends.
 ///
 /// The points depend on scene, time, inputs, profile and budget alone: not on earlier pictures.
-class BeamPlayer : public LiveScene {
+class BeamPlayer : public SceneState {
 public:
     /// Bytes that create() must be lent: enough for every time of the scene.
     static std::size_t block_bytes(const SceneView& scene, const BeamProfile& profile);

@@ -19,8 +19,8 @@ struct alignas(4) FieldPoint {
 };
 
 inline constexpr std::int32_t field_side = 65536;
-inline constexpr std::int32_t field_least = -32768;
-inline constexpr std::int32_t field_most = 32767;
+inline constexpr std::int32_t field_min = -32768;
+inline constexpr std::int32_t field_max = 32767;
 
 /// How far a beam travels from `a` to `b`: by the longer of its two ways, as both of its mirrors, coils or
 /// pairs of plates move at once.

@@ -27,7 +27,7 @@ struct BeamProfile {
     std::uint8_t leave_dwell = 0;   ///< how long it waits, blanked, before it travels
     std::uint8_t light_delay =
         0; ///< how much later the light is told than the place, for a beam that lags behind
-    std::uint8_t least_refresh = 40; ///< pictures in a second: what takes longer is drawn faster and coarser
+    std::uint8_t min_refresh = 40; ///< pictures in a second: what takes longer is drawn faster and coarser
     std::uint16_t resolution =
         256; ///< a power of two, 64 … 4096: curves are drawn to 1/16 of the field's side / this
     BeamBrightness brightness = BeamBrightness::by_level;
@@ -43,14 +43,14 @@ constexpr bool is_within_limits(const BeamProfile& profile)
     const auto resolution = profile.resolution;
     const bool is_power_of_two = (resolution & (resolution - 1)) == 0;
     return profile.rate >= 1000 && profile.rate <= 1'000'000 && profile.lit_step >= 1 &&
-           profile.least_refresh >= 1 && resolution >= 64 && resolution <= 4096 && is_power_of_two;
+           profile.min_refresh >= 1 && resolution >= 64 && resolution <= 4096 && is_power_of_two;
 }
 
 /// An oscilloscope: its plates take the beam anywhere at once, so that it jumps and waits nowhere. In 1/40 s,
 /// below which phosphor flickers, it goes 14 times across the field. Curves keep to 1/2048 of its side, two
 /// steps of a 12-bit converter. It rests in a corner, for not every one has a Z input.
 inline constexpr BeamProfile scope_profile{
-    .rate = 100'000, .lit_step = 384, .resolution = 128, .park = {field_least, field_least}};
+    .rate = 100'000, .lit_step = 384, .resolution = 128, .park = {field_min, field_min}};
 
 /// A monitor with coils, which have to settle. Steps and waiting are those of v.st's settings for a Vectrex
 /// (https://github.com/osresearch/vst): 4 and 32 of 4096 steps of the DAC a point, 10 points before it shines
@@ -77,7 +77,7 @@ inline constexpr BeamProfile galvo_profile{.rate = 30'000,
                                            .arrival_dwell = 6,
                                            .leave_dwell = 4,
                                            .light_delay = 4,
-                                           .least_refresh = 20,
+                                           .min_refresh = 20,
                                            .resolution = 128,
                                            .is_laser = true};
 
@@ -89,7 +89,7 @@ public:
 
     /// `picture` is the number of its points.
     StandingLight(const BeamProfile& profile, std::uint32_t picture)
-        : most_{std::max<std::uint32_t>(std::min(profile.rate / 1000, picture / 10), 1)}
+        : max_{std::max<std::uint32_t>(std::min(profile.rate / 1000, picture / 10), 1)}
     {
     }
 
@@ -101,12 +101,12 @@ public:
             place_ = at;
             points_ = 0;
         }
-        points_ = std::min(points_, most_) + 1;
-        return points_ <= most_;
+        points_ = std::min(points_, max_) + 1;
+        return points_ <= max_;
     }
 
 private:
-    std::uint32_t most_;
+    std::uint32_t max_;
     std::uint32_t points_ = 0; ///< that have been lit around `place_`
     FieldPoint place_;
 };

@@ -12,7 +12,7 @@ namespace kfast {
 namespace {
 
 /// As many as are all compared with each other.
-constexpr std::size_t most_compared = 128;
+constexpr std::size_t max_compared = 128;
 
 /// For more attempts than the first, which gain little, this part of the effort.
 constexpr std::uint32_t more_attempts_share = 4;
@@ -41,7 +41,7 @@ private:
     };
 
     Attempt attempt(std::size_t number, std::uint32_t allowed);
-    std::size_t attempts() const { return legs_.size() <= most_compared ? 2 * legs_.size() + 1 : 1; }
+    std::size_t attempts() const { return legs_.size() <= max_compared ? 2 * legs_.size() + 1 : 1; }
     void begin(std::size_t number, RouteEffort& effort);
     void begin_with_shortest(std::uint32_t effort);
     void order_by_lines(FieldPoint from, std::uint32_t effort);
@@ -98,20 +98,20 @@ void RouteSearch::begin_with_shortest(std::uint32_t effort)
 {
     keep_order();
     const std::uint64_t as_drawn = travel_of(lines_, legs_);
-    const bool has_items = follow_nearest_items(lines_, from_, most_compared, legs_);
+    const bool has_items = follow_nearest_items(lines_, from_, max_compared, legs_);
     const std::uint64_t by_items = has_items ? travel_of(lines_, legs_) : as_drawn;
     order_by_lines(from_, effort);
     if (travel_of(lines_, legs_) < std::min(as_drawn, by_items))
         return;
     if (by_items < as_drawn)
-        follow_nearest_items(lines_, from_, most_compared, legs_);
+        follow_nearest_items(lines_, from_, max_compared, legs_);
     else
         keep_order();
 }
 
 void RouteSearch::order_by_lines(FieldPoint from, std::uint32_t effort)
 {
-    const bool is_few = legs_.size() <= most_compared;
+    const bool is_few = legs_.size() <= max_compared;
     if (is_few)
         keep_order();
     else

@@ -9,7 +9,7 @@
 namespace kfast {
 
 /// How much is done at most for a route, in travels compared.
-inline constexpr std::uint32_t usual_route_effort = 8192;
+inline constexpr std::uint32_t default_route_effort = 8192;
 
 /// Fills `legs`, which has one for each of `lines`, with the order in which they are drawn and how, so that
 /// the blanked beam travels little between them and from the last back to the first (beam_travel()): never
@@ -20,7 +20,7 @@ inline constexpr std::uint32_t usual_route_effort = 8192;
 /// Takes time in proportion to n log n at most, whatever the effort, and no memory but `legs`. What comes out
 /// depends on nothing but what goes in.
 std::uint32_t find_route(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs,
-                         std::uint32_t effort = usual_route_effort);
+                         std::uint32_t effort = default_route_effort);
 
 /// The blanked travel of the closed tour.
 std::uint64_t travel_of(const BeamLines& lines, std::span<const BeamLeg> legs);

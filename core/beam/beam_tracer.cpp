@@ -4,8 +4,8 @@
 #include "core/beam/hatching.hpp"
 #include "core/math/projection.hpp"
 #include "core/pixel/colour.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing.hpp"
 
 namespace kfast {
 namespace {
@@ -69,7 +69,8 @@ void BeamTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
     if (brightness(colour) == 0)
         return;
     const Projection projection{walk.space(), on_panel_.camera};
-    BeamPen pen{lines_, Sight{nullptr, coarseness_}, resolution_, BeamInk::stroke, colour, walk.path()};
+    BeamPen pen{lines_,     ViewProjection{nullptr, coarseness_}, resolution_, BeamInk::stroke, colour,
+                walk.path()};
     strokes.trace(projection, pen);
 }
 
@@ -78,9 +79,9 @@ void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
     const SceneView& scene = on_panel_.scene;
     add_lines(walk, item.beam, [&](const Affine& placement, auto& pen) {
         switch (item.live.kind) {
-        case LiveKind::drawing:
+        case InputLeaf::drawing:
             return trace_live_strokes(on_panel_.drawings.of(scene, item.live.input), placement, pen);
-        case LiveKind::label:
+        case InputLeaf::label:
             return LabelTrace{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
                               scene.drawings()}
                 .trace(placement, pen);
@@ -128,7 +129,7 @@ void BeamTracer::draw(BeamInk ink, Colour colour, SceneWalk& walk, DrawWith draw
     const Space& space = walk.space();
     const bool is_flat = space.is_flat();
     const Projection projection{space, on_panel_.camera};
-    const Sight sight{is_flat ? nullptr : &projection, coarseness_};
+    const ViewProjection sight{is_flat ? nullptr : &projection, coarseness_};
     BeamPen pen{lines_, sight, resolution_, ink, seen, walk.path()};
     draw_with(is_flat ? space.plane : Affine{}, pen);
 }

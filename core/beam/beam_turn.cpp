@@ -7,7 +7,7 @@ namespace {
 
 /// In x and y. A turn right round from (32767, 32767) would take 59,000 more than 32 bits hold, as lengths
 /// are told a little too long.
-constexpr std::int32_t longest_exact = field_most - 1;
+constexpr std::int32_t longest_exact = field_max - 1;
 
 }
 
@@ -31,13 +31,13 @@ BeamTurn::BeamTurn(const BeamHeading& before, const BeamHeading& after)
     rest_ = is_straight ? 0 : whole_ - static_cast<std::uint32_t>(along);
 }
 
-std::uint32_t BeamTurn::share_of(std::uint32_t most) const
+std::uint32_t BeamTurn::share_of(std::uint32_t max) const
 {
     if (!is_corner())
         return 0;
     const int spare = whole_ >= 1U << 22 ? 10 : 0; // so that most * rest fits
     const std::uint32_t whole = whole_ >> spare;
-    return (most * (rest_ >> spare) + whole) / (2 * whole);
+    return (max * (rest_ >> spare) + whole) / (2 * whole);
 }
 
 }

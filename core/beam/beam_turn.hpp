@@ -34,7 +34,7 @@ public:
     /// By 29° (the cosine is 7/8) or more. What turns by less is taken for a curve.
     bool is_corner() const { return rest_ > whole_ >> 3; }
     /// The share of `most`, at most 255, rounded to nearest; none where there is no corner.
-    std::uint32_t share_of(std::uint32_t most) const;
+    std::uint32_t share_of(std::uint32_t max) const;
 
 private:
     std::uint32_t whole_ = 0; ///< the product of the lengths

@@ -16,7 +16,7 @@ std::int32_t spacing_of(const BeamStyle& style, int wider)
 }
 
 Hatching::Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness)
-    : crossings_{reinterpret_cast<Crossing*>(memory.data())}, most_{memory.size() / bytes_of_crossing},
+    : crossings_{reinterpret_cast<Crossing*>(memory.data())}, max_{memory.size() / bytes_of_crossing},
       spacing_{spacing_of(style, wider)}, cosine_{cosine(style.direction)}, sine_{sine(style.direction)},
       sight_{nullptr, coarseness}
 {
@@ -74,7 +74,7 @@ void Hatching::line_to(Point to)
 
 void Hatching::cross(std::int32_t line, Place low, Place high, bool is_up)
 {
-    if (count_ == most_) {
+    if (count_ == max_) {
         is_full_ = true;
         return;
     }

@@ -4,7 +4,7 @@
 #include "core/math/point.hpp"
 #include "core/math/point_map.hpp"
 #include "core/math/segment.hpp"
-#include "core/math/sight.hpp"
+#include "core/math/view_projection.hpp"
 #include "core/pixel/paint_style.hpp"
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 namespace kfast {
 
 /// Where the parallel lines of a hatching cross the border of a fill, found while the strokes of an object
-/// are told (LiveStrokes::trace()), in its own space: the lines stay where they are while the drawing
+/// are told (PosedStrokes::trace()), in its own space: the lines stay where they are while the drawing
 /// changes, and they turn and grow with the object.
 ///
 /// Line n lies n + 1/2 spacings from the origin. Strokes that are not closed are filled as if they were.
 class Hatching {
 public:
     /// Crossings lie in `memory`, which is aligned to 4 bytes. The lines lie 2^`wider` times as far from each
-    /// other as `style` says; `coarseness` is that of a Sight.
+    /// other as `style` says; `coarseness` is that of a ViewProjection.
     Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness);
 
     void begin(Point from);
@@ -46,7 +46,7 @@ public:
             winding += crossing.winding();
             if (!was_inside)
                 entry = crossing;
-            else if (!is_inside(rule, winding) && length(entry, crossing) >= least_length)
+            else if (!is_inside(rule, winding) && length(entry, crossing) >= min_length)
                 trace_piece(place(point(entry)), place(point(crossing)), pen);
         }
     }
@@ -67,7 +67,7 @@ private:
     };
 
     /// Of a piece, in 1/65536 px. A corner that lies on a line would shine as a dot otherwise.
-    static constexpr std::int32_t least_length = 65536 / 16;
+    static constexpr std::int32_t min_length = 65536 / 16;
 
     static constexpr std::size_t bytes_of_crossing =
         sizeof(Crossing) + 6; ///< and of half a piece at the back
@@ -94,12 +94,12 @@ private:
     void sort();
 
     Crossing* crossings_;
-    std::size_t most_;
+    std::size_t max_;
     std::size_t count_ = 0;
     std::int32_t spacing_; ///< in 1/65536 px
     std::int32_t cosine_;  ///< Q30, of the direction of the lines
     std::int32_t sine_;
-    Sight sight_;
+    ViewProjection sight_;
     Point start_;
     Point last_;
     bool is_full_ = false;

@@ -8,7 +8,7 @@ namespace kfast {
 namespace {
 
 /// Pictures with more than this are beyond every point clock.
-constexpr std::size_t most_bytes = 65536;
+constexpr std::size_t max_bytes = 65536;
 
 class HatchingCount {
 public:
@@ -19,12 +19,12 @@ public:
     /// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
     void add(ItemCursor items)
     {
-        while (!items.at_end() && bytes_ < most_bytes) {
+        while (!items.at_end() && bytes_ < max_bytes) {
             const ItemView item = items.next();
             if (!item.is_leaf())
                 add(scene_.items_in(item));
             else if (item.beam.has_hatching())
-                bytes_ = std::min(bytes_ + bytes_of(item.beam), most_bytes);
+                bytes_ = std::min(bytes_ + bytes_of(item.beam), max_bytes);
         }
     }
 

@@ -93,7 +93,7 @@ void follow_nearest(FieldPoint from, std::size_t window, std::span<BeamLeg> legs
 }
 
 /// How many chains there are, filled into the beginning of `legs`; none if there are more than `most`.
-std::size_t find_chains(const BeamLines& lines, std::size_t most, std::span<BeamLeg> legs)
+std::size_t find_chains(const BeamLines& lines, std::size_t max, std::span<BeamLeg> legs)
 {
     std::size_t count = 0;
     for (std::size_t number = 0; number < lines.size(); ++number) {
@@ -101,7 +101,7 @@ std::size_t find_chains(const BeamLines& lines, std::size_t most, std::span<Beam
             ++legs[count - 1].start;
             continue;
         }
-        if (count == most)
+        if (count == max)
             return 0;
         legs[count++] = {static_cast<std::uint16_t>(number)};
     }
@@ -134,10 +134,10 @@ void follow_nearest_lines(const BeamLines& lines, FieldPoint from, std::size_t w
         [&](const BeamLeg& leg) { return end_of(lines, leg); });
 }
 
-bool follow_nearest_items(const BeamLines& lines, FieldPoint from, std::size_t most_items,
+bool follow_nearest_items(const BeamLines& lines, FieldPoint from, std::size_t max_items,
                           std::span<BeamLeg> legs)
 {
-    const std::size_t count = find_chains(lines, most_items, legs);
+    const std::size_t count = find_chains(lines, max_items, legs);
     if (count == 0 || count == legs.size())
         return false;
     follow_nearest(

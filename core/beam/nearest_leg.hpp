@@ -16,8 +16,8 @@ void follow_nearest_lines(const BeamLines& lines, FieldPoint from, std::size_t w
 
 /// Fills `legs` with all lines so that the lines of an item stay together, in their order or all of them the
 /// other way round, and that the items follow each other likewise. False, and nothing to rely on in
-/// `legs`, if there are more than `most_items` of them, or as many as lines.
-bool follow_nearest_items(const BeamLines& lines, FieldPoint from, std::size_t most_items,
+/// `legs`, if there are more than `max_items` of them, or as many as lines.
+bool follow_nearest_items(const BeamLines& lines, FieldPoint from, std::size_t max_items,
                           std::span<BeamLeg> legs);
 
 }

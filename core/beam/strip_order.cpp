@@ -19,8 +19,8 @@ int strip_bits_for(std::size_t lines)
 std::uint16_t place_in_strips(FieldPoint at, int strip_bits)
 {
     const int place_bits = 16 - strip_bits;
-    const auto strip = static_cast<std::uint32_t>(at.y - field_least) >> place_bits;
-    const auto across = static_cast<std::uint32_t>(at.x - field_least) >> strip_bits;
+    const auto strip = static_cast<std::uint32_t>(at.y - field_min) >> place_bits;
+    const auto across = static_cast<std::uint32_t>(at.x - field_min) >> strip_bits;
     const std::uint32_t mask = (1U << place_bits) - 1;
     return static_cast<std::uint16_t>(strip << place_bits | (strip % 2 == 0 ? across : mask - across));
 }

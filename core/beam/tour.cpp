@@ -32,8 +32,8 @@ std::span<const FieldPoint> Tour::starts_of(std::size_t place) const
 
 namespace {
 
-constexpr std::size_t most_moved = 3;
-constexpr std::size_t most_looked_at = 16;
+constexpr std::size_t max_moved = 3;
+constexpr std::size_t max_looked_at = 16;
 
 class Improvement {
 public:
@@ -71,7 +71,7 @@ void Improvement::change_at(std::size_t place)
 {
     choose_start(place);
     reverse_from(place);
-    for (std::size_t count = 1; count <= most_moved && place + count < tour_.size(); ++count)
+    for (std::size_t count = 1; count <= max_moved && place + count < tour_.size(); ++count)
         move_from(place, count);
 }
 
@@ -88,15 +88,15 @@ void Improvement::choose_start(std::size_t place)
     };
     const std::size_t known = tour_.start_of(place);
     std::size_t best = known;
-    std::int32_t least = travel_by(starts[known]);
+    std::int32_t min = travel_by(starts[known]);
     const auto look_at = [&](std::size_t start) {
         const std::int32_t travel = travel_by(starts[start]);
-        if (travel < least) {
-            least = travel;
+        if (travel < min) {
+            min = travel;
             best = start;
         }
     };
-    const std::size_t step = starts.size() / most_looked_at + 1;
+    const std::size_t step = starts.size() / max_looked_at + 1;
     for (std::size_t start = 0; start < starts.size(); start += step)
         look_at(start);
     std::size_t before = best;

@@ -4,10 +4,10 @@ namespace kfast {
 
 BitReader BitReader::take(ByteReader& bytes, std::uint32_t count, std::uint32_t width)
 {
-    constexpr std::uint32_t most_numbers = 1U << 25; // so that their bits can be counted
+    constexpr std::uint32_t max_numbers = 1U << 25; // so that their bits can be counted
     const BitReader bits{bytes.rest()};
     const std::size_t size = (count * width + 7) / 8;
-    bytes.skip(count < most_numbers ? std::min(size, bytes.left() + 1) : bytes.left() + 1);
+    bytes.skip(count < max_numbers ? std::min(size, bytes.left() + 1) : bytes.left() + 1);
     return bits;
 }
 

@@ -14,11 +14,11 @@ namespace kfast {
 class BitReader {
 public:
     /// So many bits can be looked at at once.
-    static constexpr std::uint32_t most = 25;
+    static constexpr std::uint32_t max = 25;
 
     BitReader() = default;
     explicit BitReader(std::span<const std::byte> bytes)
-        : bytes_{bytes.data()}, size_{static_cast<std::uint32_t>(std::min(bytes.size(), most_bytes))}
+        : bytes_{bytes.data()}, size_{static_cast<std::uint32_t>(std::min(bytes.size(), max_bytes))}
     {
     }
 
@@ -49,7 +49,7 @@ public:
     {
         if (count == 0)
             return 0;
-        if (count <= most)
+        if (count <= max)
             return bits(count);
         const std::uint32_t high = bits(count - 16);
         return high << 16 | bits(16);
@@ -70,7 +70,7 @@ public:
     bool overrun() const { return at_ > 8 * size_; }
 
 private:
-    static constexpr std::size_t most_bytes = 1U << 28; ///< whose bits can be counted
+    static constexpr std::size_t max_bytes = 1U << 28; ///< whose bits can be counted
 
     static std::uint32_t word_at(const std::byte* at)
     {

@@ -37,8 +37,8 @@ Affine short_product(const Affine& outer, const Affine& inner)
 
 Point Affine::operator()(Point point) const
 {
-    return held_point(sum_of_products(xx, point.x.raw(), xy, point.y.raw()) + x0,
-                      sum_of_products(yx, point.x.raw(), yy, point.y.raw()) + y0);
+    return clamped_point(sum_of_products(xx, point.x.raw(), xy, point.y.raw()) + x0,
+                         sum_of_products(yx, point.x.raw(), yy, point.y.raw()) + y0);
 }
 
 std::int32_t Affine::growth() const

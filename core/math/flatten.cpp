@@ -28,8 +28,8 @@ struct StepLength {
 };
 
 constexpr auto step_lengths = [] {
-    std::array<StepLength, most_steps + 1> table{};
-    for (std::uint32_t n = 1; n <= most_steps; ++n) {
+    std::array<StepLength, max_steps + 1> table{};
+    for (std::uint32_t n = 1; n <= max_steps; ++n) {
         int shift = 0;
         while (2U << shift <= n)
             ++shift;
@@ -116,8 +116,8 @@ int pieces_for(const Segment& segment)
         std::max(bend(segment.from, segment.c1, segment.c2), bend(segment.c1, segment.c2, segment.to));
     constexpr std::int32_t limit = (flatness.raw() * 4 / 3) >> spare_bits;
     int pieces = 1;
-    while (pieces < most_pieces && pieces * pieces * limit < bent)
-        pieces = pieces < most_steps ? pieces + 1 : 2 * pieces;
+    while (pieces < max_pieces && pieces * pieces * limit < bent)
+        pieces = pieces < max_steps ? pieces + 1 : 2 * pieces;
     return pieces;
 }
 

@@ -11,9 +11,9 @@ namespace kfast {
 /// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
 inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
 
-/// A curve is cut into any number of pieces up to most_steps, or into 64, 128 or 256.
-inline constexpr int most_pieces = 256;
-inline constexpr int most_steps = 32;
+/// A curve is cut into any number of pieces up to max_steps, or into 64, 128 or 256.
+inline constexpr int max_pieces = 256;
+inline constexpr int max_steps = 32;
 
 /// The points of a cubic at steps of equal parameter length by forward differences, in 32 bits without a
 /// division. Each is moved away from the chord between its neighbours by 1/12 of its second difference: the
@@ -28,7 +28,7 @@ inline constexpr int most_steps = 32;
 /// 32 px. Points are off by 2.5 units at most where there are as many pieces as pieces_for() says.
 class CubicSteps {
 public:
-    /// 2 … most_steps pieces.
+    /// 2 … max_steps pieces.
     CubicSteps(const Segment& cubic, int pieces);
 
     /// The next point behind the beginning, before the end.
@@ -65,7 +65,7 @@ private:
     Axis y_;
 };
 
-/// All of a cubic but its end, in 2 … most_steps pieces.
+/// All of a cubic but its end, in 2 … max_steps pieces.
 template <class LineTo>
 void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
 {
@@ -81,13 +81,13 @@ void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
 template <class LineTo>
 void flatten(const Segment& segment, int pieces, LineTo line_to)
 {
-    if (segment.kind == Segment::Kind::cubic && pieces > most_steps) {
-        const Share part{Share::one / static_cast<std::uint32_t>(pieces / most_steps)};
+    if (segment.kind == Segment::Kind::cubic && pieces > max_steps) {
+        const Share part{Share::one / static_cast<std::uint32_t>(pieces / max_steps)};
         for (Share begin; begin.raw != Share::one; begin.raw += part.raw) {
             const Segment cubic = stretch(segment, begin, {begin.raw + part.raw});
             if (begin.raw != 0)
                 line_to(cubic.from);
-            flatten_freely(cubic, most_steps, line_to);
+            flatten_freely(cubic, max_steps, line_to);
         }
     } else if (segment.kind == Segment::Kind::cubic && pieces != 1) {
         flatten_freely(segment, pieces, line_to);

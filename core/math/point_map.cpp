@@ -10,7 +10,7 @@ namespace kfast {
 namespace {
 
 /// Of |x| and |y| before a shift, and of the shift: their sum need not be held.
-constexpr std::int32_t modest_shift = Fixed::pixels(farthest_held / 2).raw();
+constexpr std::int32_t modest_shift = Fixed::pixels(max_coordinate / 2).raw();
 
 constexpr bool is_within(std::int64_t value, std::int32_t limit) { return value > -limit && value < limit; }
 

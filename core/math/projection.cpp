@@ -48,15 +48,15 @@ Point Projection::seen(Point point) const
     const std::int64_t x = sum_of_products(plane.xx, point.x.raw(), plane.xy, point.y.raw()) + plane.x0;
     const std::int64_t y = sum_of_products(plane.yx, point.x.raw(), plane.yy, point.y.raw()) + plane.y0;
     const std::int64_t near = nearness(point);
-    return held_point(camera_.x + times(within_reach(x), near), camera_.y + times(within_reach(y), near));
+    return clamped_point(camera_.x + times(within_reach(x), near), camera_.y + times(within_reach(y), near));
 }
 
 /// d / (d - z) in Q24, 0 … 16.
 std::int64_t Projection::nearness(Point point) const
 {
     const std::int64_t z = sum_of_products(space_.zx, point.x.raw(), space_.zy, point.y.raw()) + space_.z0;
-    const std::int64_t least = std::max<std::int64_t>(camera_.distance >> 4, 1);
-    const std::int64_t left = std::max(camera_.distance - z, least);
+    const std::int64_t min = std::max<std::int64_t>(camera_.distance >> 4, 1);
+    const std::int64_t left = std::max(camera_.distance - z, min);
     const int shift = excess_bits(left);
     const auto divisor = static_cast<std::uint32_t>(left >> shift);
     return quotient((camera_.distance >> shift << nearness_bits) + divisor / 2, divisor);

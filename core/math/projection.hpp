@@ -25,7 +25,7 @@ public:
     /// By what lengths around `point` grow, in Q16: the square root of what areas grow by, rounded down.
     std::int32_t growth_at(Point point) const;
 
-    // Only wire frames need these: see LiveWires.
+    // Only wire frames need these: see PosedWires.
     /// Of the plane that lies `z` in front of the item's, by its own z.
     [[gnu::cold]] Projection in_front(Fixed z) const;
     /// By what lengths grow that face the viewer at `point`, however the plane is turned, in Q16: the mean of

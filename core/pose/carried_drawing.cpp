@@ -7,7 +7,7 @@ namespace kfast {
 namespace {
 
 /// Rounded to 1/65536 px. Products with the bits above and below 1/256 px fit in 32 bits.
-Point carried_by(std::span<const LiveBone> bones, Point point, const Binding& binding)
+Point carried_by(std::span<const PosedBone> bones, Point point, const Binding& binding)
 {
     if (binding.count() == 1)
         return bones[binding.last()](point);
@@ -31,7 +31,7 @@ const CarriedDrawing::Code CarriedDrawing::code{.begin_stroke =
                                                 .carry = plain_function<&CarriedDrawing::carry>};
 
 CarriedDrawing::CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest,
-                               const SkinReader& skin, std::span<const LiveBone> bones)
+                               const SkinReader& skin, std::span<const PosedBone> bones)
     : code_{&code}, drawing_{drawing}, at_rest_{at_rest}, skin_{skin}, bones_{bones}
 {
 }
@@ -76,8 +76,8 @@ void CarriedDrawing::carry(Segment& segment)
 Point CarriedDrawing::carried(Point point, Point at_rest, const Binding& binding) const
 {
     const Point moved = carried_by(bones_, at_rest, binding);
-    return held_point(std::int64_t{point.x.raw()} + moved.x.raw() - at_rest.x.raw(),
-                      std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(), farthest_tweened);
+    return clamped_point(std::int64_t{point.x.raw()} + moved.x.raw() - at_rest.x.raw(),
+                         std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(), farthest_tweened);
 }
 
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_bones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/scene/drawing_view.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/skin_reader.hpp"
@@ -20,7 +20,7 @@ public:
     /// `bones` are those of the skin's skeleton, posed; they must outlive this. `at_rest` is the skin's, or
     /// `drawing` again.
     CarriedDrawing(const PackedDrawing& drawing, const PackedDrawing& at_rest, const SkinReader& skin,
-                   std::span<const LiveBone> bones);
+                   std::span<const PosedBone> bones);
 
     std::uint32_t strokes() const { return drawing_.strokes(); }
     std::uint32_t next_stroke();
@@ -44,7 +44,7 @@ private:
     PackedDrawing drawing_;
     PackedDrawing at_rest_; ///< read in step with the other if there is one
     SkinReader skin_;
-    std::span<const LiveBone> bones_;
+    std::span<const PosedBone> bones_;
     Point start_;
     Point at_; ///< the vertex read last as it is carried
 };

@@ -102,9 +102,9 @@ Space Placement::turn() const
 
 }
 
-const LiveTrack* ItemState::track(Property property) const
+const TrackState* ItemState::track(Property property) const
 {
-    for (const LiveTrack& track : prepared_.tracks(item_))
+    for (const TrackState& track : prepared_.tracks(item_))
         if (track.property == static_cast<std::uint8_t>(property))
             return &track;
     return nullptr;
@@ -113,7 +113,7 @@ const LiveTrack* ItemState::track(Property property) const
 /// In 1/256 of the unit of the property.
 std::int32_t ItemState::fine(Property property) const
 {
-    const LiveTrack* const found = track(property);
+    const TrackState* const found = track(property);
     return found != nullptr ? prepared_.fine_value(scene_, *found)
                             : value_without_track(property) * (1 << fine_bits);
 }
@@ -131,7 +131,7 @@ Space ItemState::placement() const
 {
     did(Work::placement);
     Placement placement{scene_.features()};
-    for (const LiveTrack& track : prepared_.tracks(item_)) {
+    for (const TrackState& track : prepared_.tracks(item_)) {
         if (!places_item(static_cast<Property>(track.property)))
             break;
         did(Work::track);
@@ -149,17 +149,17 @@ Point ItemState::pivot() const
 
 Colour ItemState::colour(Property property, std::uint8_t without_track) const
 {
-    const LiveTrack* const found = track(property);
+    const TrackState* const found = track(property);
     if (found == nullptr)
         return scene_.colour(without_track);
-    const auto [from, to, way] = prepared_.passage(*found, LawAxis::x);
+    const auto [from, to, way] = prepared_.key_span(*found, LawAxis::x);
     const Colour first = scene_.colour(static_cast<std::size_t>(from));
     return from == to ? first : colour_between(first, scene_.colour(static_cast<std::size_t>(to)), way);
 }
 
 Fixed ItemState::width() const
 {
-    const LiveTrack* const found = track(Property::width);
+    const TrackState* const found = track(Property::width);
     if (found == nullptr)
         return Fixed::sixteenths(item_.style.width);
     return std::max(fine_pixels(prepared_.fine_value(scene_, *found)), Fixed{});

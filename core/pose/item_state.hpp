@@ -34,7 +34,7 @@ public:
     Fixed width() const;
 
 private:
-    const LiveTrack* track(Property property) const;
+    const TrackState* track(Property property) const;
     std::int32_t fine(Property property) const;
     Colour colour(Property property, std::uint8_t without_track) const;
 

@@ -5,7 +5,7 @@
 #include "core/math/point.hpp"
 #include "core/pose/carried_drawing.hpp"
 #include "core/pose/label_layout.hpp"
-#include "core/pose/live_strokes.hpp"
+#include "core/pose/posed_strokes.hpp"
 #include "core/scene/label_view.hpp"
 #include "core/scene/packed_drawing.hpp"
 

@@ -8,13 +8,13 @@ ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const Node& object)
     : on_panel_{scene}, object_{object}
 {
     const PreparedScene& prepared = scene.prepared;
-    const LiveTrack& drawing = prepared.key_track(object, KeyValue::drawing);
+    const TrackState& drawing = prepared.key_track(object, KeyValue::drawing);
     from_.drawing = static_cast<std::uint32_t>(drawing.from);
     to_.drawing = static_cast<std::uint32_t>(prepared.arrival(object));
     way_ = prepared.progress(drawing);
     if (!object.has_more())
         return;
-    const LiveTrack& more = prepared.key_track(object, KeyValue::more);
+    const TrackState& more = prepared.key_track(object, KeyValue::more);
     from_.more = more.from;
     to_.more = more.to;
 }
@@ -65,7 +65,7 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
 
 void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
 {
-    const LiveBackbones* const carriers = backbones(&cache); // first, for it may write to the cache
+    const PosedBackbones* const carriers = backbones(&cache); // first, for it may write to the cache
     const bool is_held =
         on_panel_.prepared.is_held(on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
     const std::uint32_t to = is_held ? from_.drawing : to_.drawing;
@@ -77,7 +77,7 @@ void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement,
 }
 
 /// Apart, so that the stack has what they are made of only as long as they are made.
-[[gnu::noinline]] LiveStrokes ObjectStrokes::live_strokes(const Affine& placement) const
+[[gnu::noinline]] PosedStrokes ObjectStrokes::posed_strokes(const Affine& placement) const
 {
     const SceneView& scene = on_panel_.scene;
     return {{scene.drawing(from_.drawing).strokes(), scene.drawing(to_.drawing).strokes()},
@@ -87,7 +87,7 @@ void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement,
             placement};
 }
 
-[[gnu::noinline]] LiveWires ObjectStrokes::live_wires(const Projection& projection) const
+[[gnu::noinline]] PosedWires ObjectStrokes::posed_wires(const Projection& projection) const
 {
     const auto wires = [](const Shown& shown) {
         return WireDrawing{shown.drawing, static_cast<std::uint32_t>(shown.more)};
@@ -112,18 +112,18 @@ CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32
 }
 
 /// Null if none carry the object.
-const LiveBackbones* ObjectStrokes::backbones(PictureCache* cache) const
+const PosedBackbones* ObjectStrokes::backbones(PictureCache* cache) const
 {
     if (object_.carrier != Carrier::backbones)
         return nullptr;
     return &on_panel_.scene.features().backbones->live(*this, cache);
 }
 
-const LiveBackbones& ObjectStrokes::live_backbones(PictureCache* cache) const
+const PosedBackbones& ObjectStrokes::posed_backbones(PictureCache* cache) const
 {
     if (backbones_)
         return *backbones_;
-    const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
+    const TrackState& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
     const auto from = static_cast<std::uint32_t>(keys.from);
     const auto to = static_cast<std::uint32_t>(keys.to);
     const auto both =
@@ -139,7 +139,7 @@ const LiveBackbones& ObjectStrokes::live_backbones(PictureCache* cache) const
 /// Apart, so that the stack has the readers only where they are wanted.
 [[gnu::noinline]] void ObjectStrokes::read_backbones(std::uint32_t from, std::uint32_t to) const
 {
-    const LiveTrack& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
+    const TrackState& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);
     backbones_.emplace(on_panel_.backbone_nodes, object_.unit_bits, on_panel_.scene.drawing(from),
                        on_panel_.scene.drawing(to), on_panel_.prepared.progress(keys));
 }

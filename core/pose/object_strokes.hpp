@@ -6,9 +6,9 @@
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
 #include "core/pose/carried_drawing.hpp"
-#include "core/pose/live_backbones.hpp"
-#include "core/pose/live_strokes.hpp"
-#include "core/pose/live_wires.hpp"
+#include "core/pose/posed_backbones.hpp"
+#include "core/pose/posed_strokes.hpp"
+#include "core/pose/posed_wires.hpp"
 #include "core/pose/scene_on_panel.hpp"
 #include "core/prepared/node.hpp"
 #include "core/time/key_interval.hpp"
@@ -39,7 +39,7 @@ public:
     /// Adds the strokes, placed, to `outline`. What drawings without bones come to between two keys is kept
     /// in `cache` if it finds room; the strokes are the same.
     void trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
-    /// The same without a cache; LiveStrokes::trace() says what an outline is.
+    /// The same without a cache; PosedStrokes::trace() says what an outline is.
     template <class Outline>
     void trace(const Affine& placement, Outline& outline) const
     {
@@ -57,7 +57,7 @@ public:
     [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
     {
         did(Work::object);
-        LiveWires wires = live_wires(projection);
+        PosedWires wires = posed_wires(projection);
         wires.trace(outline);
     }
 
@@ -67,7 +67,7 @@ public:
     template <class Outline>
     [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
     {
-        LiveStrokes strokes = live_strokes(placement);
+        PosedStrokes strokes = posed_strokes(placement);
         strokes.trace(outline);
     }
     /// The same from the cache, if both drawings find room there.
@@ -75,7 +75,7 @@ public:
     /// A key drawing, carried by a skin.
     CarriedDrawing carried_by_bones(std::uint32_t drawing, std::int32_t skin) const;
     /// The backbones that carry the object. Their drawings are kept if there is a cache.
-    const LiveBackbones& live_backbones(PictureCache* cache) const;
+    const PosedBackbones& posed_backbones(PictureCache* cache) const;
 
 private:
     /// It is all that there is to trace at the moment, as bones may carry it.
@@ -94,10 +94,10 @@ private:
         CarriedDrawing drawing = carried(from_);
         trace_strokes(drawing, placement, outline);
     }
-    LiveStrokes live_strokes(const Affine& placement) const;
+    PosedStrokes posed_strokes(const Affine& placement) const;
     CarriedDrawing carried(const Shown& shown) const;
-    LiveWires live_wires(const Projection& projection) const;
-    const LiveBackbones* backbones(PictureCache* cache) const;
+    PosedWires posed_wires(const Projection& projection) const;
+    const PosedBackbones* backbones(PictureCache* cache) const;
     void read_backbones(std::uint32_t from, std::uint32_t to) const;
 
     const SceneOnPanel& on_panel_;
@@ -105,7 +105,7 @@ private:
     Shown from_;
     Shown to_; ///< to which the way leads: not always what the next key shows
     Progress way_;
-    mutable std::optional<LiveBackbones> backbones_; ///< made when they are first wanted
+    mutable std::optional<PosedBackbones> backbones_; ///< made when they are first wanted
 };
 
 }

@@ -25,8 +25,8 @@ constexpr std::int64_t max_shift = std::int64_t{raster::CornerMap::max_shift} <<
 
 std::int64_t sum_of_squares(std::int32_t a, std::int32_t b)
 {
-    constexpr std::int32_t most = 1 << 15;
-    if (std::abs(a) <= most && std::abs(b) < most) // mostly, in 32 bits
+    constexpr std::int32_t max = 1 << 15;
+    if (std::abs(a) <= max && std::abs(b) < max) // mostly, in 32 bits
         return a * a + b * b;
     return std::int64_t{a} * a + std::int64_t{b} * b;
 }
@@ -60,8 +60,8 @@ std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
         std::min(std::abs(xx - yy) + std::abs(xy + yx), std::abs(xx + yy) + std::abs(xy - yx));
     const std::int64_t square = sum_of_squares(xx, yx);
     int bits = -max_scale_bits;
-    constexpr std::int64_t most = std::int64_t{max_growth} * max_growth;
-    std::int64_t limit = most >> 2 * max_scale_bits;
+    constexpr std::int64_t max = std::int64_t{max_growth} * max_growth;
+    std::int64_t limit = max >> 2 * max_scale_bits;
     for (; bits <= max_scale_bits && square > limit; limit <<= 2)
         ++bits;
     const int up = bits + max_scale_bits; // from the smallest scale

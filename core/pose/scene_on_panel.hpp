@@ -4,10 +4,10 @@
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
 #include "core/math/space.hpp"
-#include "core/pose/live_backbones.hpp"
-#include "core/pose/live_bones.hpp"
-#include "core/pose/live_drawings.hpp"
-#include "core/pose/live_texts.hpp"
+#include "core/pose/input_drawings.hpp"
+#include "core/pose/input_texts.hpp"
+#include "core/pose/posed_backbones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/pose/rigid_placement.hpp"
 #include "core/prepared/prepared_scene.hpp"
 #include "core/scene/scene_view.hpp"
@@ -24,10 +24,10 @@ struct SceneOnPanel {
     std::span<Space> spaces{}; ///< room for those of placed items in each other, for one walk at a time
     Camera camera;
     RigidPlacements rigid;
-    std::span<LiveBone> bones{}; ///< of all skeletons; set up
+    std::span<PosedBone> bones{}; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes{};
-    LiveDrawings drawings{}; ///< from outside
-    LiveTexts texts{};       ///< likewise
+    InputDrawings drawings{}; ///< from outside
+    InputTexts texts{};       ///< likewise
 };
 
 /// Without anything that moves. The canvas lies on the panel as `fit` wants it, and the viewer in front of

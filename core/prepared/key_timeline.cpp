@@ -25,16 +25,16 @@ bool KeyTimeline::is_held(const SceneView& scene) const
     return laws.x == VelocityLaw::hold && laws.y == VelocityLaw::hold;
 }
 
-BeatCursor KeyTimeline::beats(const SceneView& scene) const
+KeyTimeCursor KeyTimeline::key_times(const SceneView& scene) const
 {
-    ByteReader bytes = scene.at(beats_);
-    return BeatCursor::take(bytes, {});
+    ByteReader bytes = scene.at(key_times_);
+    return KeyTimeCursor::take(bytes, {});
 }
 
 /// Those behind the key to which the way leads.
-BeatCursor KeyTimeline::beats_behind(const SceneView& scene) const
+KeyTimeCursor KeyTimeline::key_times_behind(const SceneView& scene) const
 {
-    BeatCursor behind = beats(scene);
+    KeyTimeCursor behind = key_times(scene);
     behind.go_on_behind({.time = end_, .index = to()});
     return behind;
 }
@@ -42,8 +42,8 @@ BeatCursor KeyTimeline::beats_behind(const SceneView& scene) const
 /// To before the first key.
 void KeyTimeline::rewind(const SceneView& scene)
 {
-    BeatCursor all = beats(scene);
-    const Beat first = all.next();
+    KeyTimeCursor all = key_times(scene);
+    const KeyTime first = all.next();
     begin_ = always;
     end_ = first.time;
     next_laws_ = static_cast<std::uint8_t>(first.laws);
@@ -54,7 +54,7 @@ void KeyTimeline::rewind(const SceneView& scene)
 /// To the last key that is not behind `time`: at least one.
 void KeyTimeline::go_on(Time time, const SceneView& scene)
 {
-    BeatCursor behind = beats_behind(scene);
+    KeyTimeCursor behind = key_times_behind(scene);
     std::uint32_t laws = 0;
     while (time >= end_) {
         before_ = is_between_ ? begin_ : end_;
@@ -62,7 +62,7 @@ void KeyTimeline::go_on(Time time, const SceneView& scene)
         begin_ = end_;
         laws = next_laws_;
         is_between_ = !behind.at_end();
-        const Beat next = is_between_ ? behind.next() : Beat{.time = never};
+        const KeyTime next = is_between_ ? behind.next() : KeyTime{.time = never};
         end_ = next.time;
         next_laws_ = static_cast<std::uint8_t>(next.laws);
     }
@@ -71,7 +71,7 @@ void KeyTimeline::go_on(Time time, const SceneView& scene)
 
 Time KeyTimeline::time_after(const SceneView& scene) const
 {
-    BeatCursor behind = beats_behind(scene);
+    KeyTimeCursor behind = key_times_behind(scene);
     return behind.at_end() ? end_ : behind.next().time;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/beat_cursor.hpp"
+#include "core/scene/key_time_cursor.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/hermite.hpp"
 #include "core/time/key_interval.hpp"
@@ -19,7 +19,7 @@ namespace kfast {
 class KeyTimeline {
 public:
     /// At no moment yet. `beats` is the place in the scene's bytes of at least two key times.
-    KeyTimeline(std::uint32_t beats, Clock clock) : beats_{beats}, clock_{clock} {}
+    KeyTimeline(std::uint32_t key_times, Driver driver) : key_times_{key_times}, driver_{driver} {}
 
     /// It moves with every moment between two keys, whatever their laws: something follows a smooth curve.
     void move_with_time() { moves_with_time_ = true; }
@@ -27,9 +27,9 @@ public:
     /// To a moment of its clock. `scene` has its key times and laws.
     void move_to(Time time, const SceneView& scene);
 
-    Clock clock() const { return clock_; }
+    Driver driver() const { return driver_; }
     /// All of its key times.
-    BeatCursor beats(const SceneView& scene) const;
+    KeyTimeCursor key_times(const SceneView& scene) const;
 
     /// What the keys have does not change up to the next of them.
     bool is_held(const SceneView& scene) const;
@@ -60,9 +60,9 @@ private:
 
     void rewind(const SceneView& scene);
     void go_on(Time time, const SceneView& scene);
-    BeatCursor beats_behind(const SceneView& scene) const;
+    KeyTimeCursor key_times_behind(const SceneView& scene) const;
 
-    std::uint32_t beats_;
+    std::uint32_t key_times_;
     // As long as these are not left, nothing is read.
     Time begin_ = never;
     Time end_ = always;
@@ -72,7 +72,7 @@ private:
     std::uint32_t from_ = 0;
     std::uint16_t laws_ = 0;     ///< for the way between the two keys: SceneView::place_of_laws()
     std::uint8_t next_laws_ = 0; ///< number of the pair for the way that follows
-    Clock clock_;
+    Driver driver_;
     bool is_between_ = false;
     bool moves_with_time_ = false;
     bool has_other_keys_ = false;

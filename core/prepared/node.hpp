@@ -12,7 +12,7 @@ namespace kfast {
 
 /// One quantity of an item, an object's keys or a bone: what its stored values are at the two keys around the
 /// moment.
-struct LiveTrack {
+struct TrackState {
     static constexpr std::uint16_t no_timeline = 0xFFFF;
 
     std::uint32_t values = 0; ///< the place of all of them (PackedValues); only with a timeline
@@ -40,10 +40,10 @@ struct Node {
     std::uint16_t of = 0;
     std::uint8_t track_count = 0; ///< of properties
     ItemKind kind = ItemKind::group;
-    LiveKind live = LiveKind::drawing; ///< only of what is live
-    Carrier carrier = Carrier::none;   ///< this and the rest only of an object
-    std::uint8_t unit_bits = 0;        ///< BackbonesView::unit_bits
-    std::uint8_t bone_count = 0;       ///< of its skeleton
+    InputLeaf live = InputLeaf::drawing; ///< only of what is live
+    Carrier carrier = Carrier::none;     ///< this and the rest only of an object
+    std::uint8_t unit_bits = 0;          ///< BackbonesView::unit_bits
+    std::uint8_t bone_count = 0;         ///< of its skeleton
     bool has_arrivals : 1 = false;
     bool has_depths : 1 = false;
     bool is_placed : 1 = false; ///< some track moves, turns or scales it
@@ -68,8 +68,8 @@ struct BoneNode {
     Dependence dependence; ///< on what it depends, and its parents
 };
 
-static_assert(sizeof(LiveTrack) == 16 && sizeof(Node) == 32 && sizeof(BoneNode) == 20);
-static_assert(alignof(LiveTrack) == 4 && alignof(Node) == 4 && alignof(BoneNode) == 4);
+static_assert(sizeof(TrackState) == 16 && sizeof(Node) == 32 && sizeof(BoneNode) == 20);
+static_assert(alignof(TrackState) == 4 && alignof(Node) == 4 && alignof(BoneNode) == 4);
 
 /// A node on the way from the scene to the one at which a walk (SceneWalk) stands. Of one size on all
 /// machines, as nodes are.

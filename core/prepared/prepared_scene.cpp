@@ -1,6 +1,6 @@
 #include "core/prepared/prepared_scene.hpp"
 
-#include "core/bytes/block_cutter.hpp"
+#include "core/bytes/bump_allocator.hpp"
 #include "core/bytes/work.hpp"
 #include "core/feature_code.hpp"
 #include "core/prepared/preparer.hpp"
@@ -10,13 +10,13 @@ namespace kfast {
 namespace {
 
 std::size_t timeline_bytes(const SceneView& scene) { return scene.records().timelines * sizeof(KeyTimeline); }
-std::size_t track_bytes(const SceneView& scene) { return scene.records().tracks * sizeof(LiveTrack); }
+std::size_t track_bytes(const SceneView& scene) { return scene.records().tracks * sizeof(TrackState); }
 std::size_t node_bytes(const SceneView& scene) { return scene.records().nodes * sizeof(Node); }
 std::size_t bone_bytes(const SceneView& scene) { return scene.records().bones * sizeof(BoneNode); }
 std::size_t level_bytes(const SceneView& scene) { return scene.records().levels * sizeof(WalkLevel); }
 
 /// Values as `track` has them stored.
-PackedValues values_of(const SceneView& scene, const LiveTrack& track, std::uint32_t count)
+PackedValues values_of(const SceneView& scene, const TrackState& track, std::uint32_t count)
 {
     ByteReader bytes = scene.at(track.values);
     return PackedValues::take(bytes, count);
@@ -39,9 +39,9 @@ std::size_t PreparedScene::bytes_for(const SceneView& scene)
 
 PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory)
 {
-    BlockCutter cutter{memory};
+    BumpAllocator cutter{memory};
     timelines_ = cutter.cut_as<KeyTimeline>(timeline_bytes(scene));
-    tracks_ = cutter.cut_as<LiveTrack>(track_bytes(scene));
+    tracks_ = cutter.cut_as<TrackState>(track_bytes(scene));
     nodes_ = cutter.cut_as<Node>(node_bytes(scene));
     bones_ = cutter.cut_as<BoneNode>(bone_bytes(scene));
     levels_ = cutter.cut_as<WalkLevel>(level_bytes(scene));
@@ -55,7 +55,7 @@ void PreparedScene::move_to(const SceneView& scene, const Moment& moment, std::u
     moved_ = {};
     std::uint32_t number = 0;
     for (KeyTimeline& timeline : timelines_) {
-        timeline.move_to(moment.at(timeline.clock()), scene);
+        timeline.move_to(moment.at(timeline.driver()), scene);
         const std::uint32_t bit = Dependence::bit(number++);
         moved_.keys |= timeline.has_other_keys() ? bit : 0;
         moved_.ways |= timeline.has_moved() ? bit : 0;
@@ -70,23 +70,23 @@ void PreparedScene::move_to(const SceneView& scene, const Moment& moment, std::u
 /// Of all timelines that have come to other ones.
 void PreparedScene::take_keys(const SceneView& scene)
 {
-    for (LiveTrack& track : tracks_) {
+    for (TrackState& track : tracks_) {
         if (!track.has_timeline() || !timelines_[track.timeline].has_other_keys())
             continue;
         did(Work::key);
         const KeyTimeline& timeline = timelines_[track.timeline];
-        const PackedValues values = values_of(scene, track, timeline.beats(scene).count());
+        const PackedValues values = values_of(scene, track, timeline.key_times(scene).count());
         track.from = values[timeline.from()];
         track.to = timeline.is_between() ? values[timeline.to()] : track.from;
     }
     for (BoneNode& bone : bones_) {
         bone.dependence = bone.parent == 0 ? Dependence{} : bones_[bone.parent - 1U].dependence;
-        for (const LiveTrack& track : tracks(bone))
+        for (const TrackState& track : tracks(bone))
             bone.dependence = bone.dependence | dependence(track);
     }
 }
 
-const LiveTrack& PreparedScene::key_track(const Node& node, KeyValue value) const
+const TrackState& PreparedScene::key_track(const Node& node, KeyValue value) const
 {
     std::size_t number = node.first_track + std::size_t{node.track_count};
     if (value > KeyValue::drawing)
@@ -96,22 +96,22 @@ const LiveTrack& PreparedScene::key_track(const Node& node, KeyValue value) cons
     return tracks_[number];
 }
 
-std::int32_t PreparedScene::fine_value(const SceneView& scene, const LiveTrack& track) const
+std::int32_t PreparedScene::fine_value(const SceneView& scene, const TrackState& track) const
 {
     if (track.is_smooth && track.has_timeline())
         return scene.features().smooth->value(*this, scene, track);
     const auto property = static_cast<Property>(track.property);
     if (!tweens(property))
         return track.from * (1 << fine_bits);
-    return kfast::fine_value(passage(track, goes_by_y(property) ? LawAxis::y : LawAxis::x));
+    return kfast::fine_value(key_span(track, goes_by_y(property) ? LawAxis::y : LawAxis::x));
 }
 
-std::int32_t PreparedScene::smooth_value(const SceneView& scene, const LiveTrack& track) const
+std::int32_t PreparedScene::smooth_value(const SceneView& scene, const TrackState& track) const
 {
     const KeyTimeline& timeline = timelines_[track.timeline];
     if (!timeline.is_between())
         return track.from * (1 << fine_bits);
-    const std::uint32_t count = timeline.beats(scene).count();
+    const std::uint32_t count = timeline.key_times(scene).count();
     const PackedValues values = values_of(scene, track, count);
     const std::uint32_t before = timeline.from() == 0 ? 0 : timeline.from() - 1;
     const std::uint32_t after = timeline.to() + 1 == count ? timeline.to() : timeline.to() + 1;
@@ -122,7 +122,7 @@ std::int32_t PreparedScene::smooth_value(const SceneView& scene, const LiveTrack
                    timeline.now());
 }
 
-Dependence PreparedScene::dependence(const LiveTrack& track) const
+Dependence PreparedScene::dependence(const TrackState& track) const
 {
     if (!track.has_timeline())
         return {};
@@ -149,14 +149,14 @@ bool PreparedScene::has_one_drawing(const Node& node) const
         return false;
     if (!node.has_more())
         return true;
-    const LiveTrack& more = key_track(node, KeyValue::more);
+    const TrackState& more = key_track(node, KeyValue::more);
     return more.from == more.to;
 }
 
 /// All of a skeleton, or the one to which the drawing is bound.
 Dependence PreparedScene::dependence_of_bones(const Node& node) const
 {
-    const LiveTrack& skin = key_track(node, KeyValue::more);
+    const TrackState& skin = key_track(node, KeyValue::more);
     if (skin.from < 0 && skin.from == skin.to)
         return bones_[node.of + SceneView::bone_of(skin.from)].dependence;
     Dependence all;

@@ -19,7 +19,7 @@ ItemView item_view(const SceneView& scene, const Node& node);
 /// is parsed any more, and keys are read when they are passed.
 ///
 ///     timelines   key times, each set once             KeyTimeline
-///     tracks      values at the two keys around        LiveTrack, of items, of objects' keys, of bones
+///     tracks      values at the two keys around        TrackState, of items, of objects' keys, of bones
 ///     nodes       items in the order of the scene      Node
 ///     bones       of all skeletons                     BoneNode
 ///     levels      room for one walk at a time          WalkLevel
@@ -39,7 +39,7 @@ public:
     const Dependence& moved() const { return moved_; }
 
     /// Of a track that is smooth and has a timeline: part of fine_value(), for the feature.
-    std::int32_t smooth_value(const SceneView& scene, const LiveTrack& track) const;
+    std::int32_t smooth_value(const SceneView& scene, const TrackState& track) const;
 
     std::span<const Node> nodes() const { return nodes_; }
     /// Of the scene itself: the outermost items lie within it.
@@ -50,36 +50,36 @@ public:
     std::span<WalkLevel> levels() const { return levels_; }
 
     /// Of its properties, in their order.
-    std::span<const LiveTrack> tracks(const Node& node) const
+    std::span<const TrackState> tracks(const Node& node) const
     {
         return tracks_.subspan(node.first_track, node.track_count);
     }
-    std::span<const LiveTrack> tracks(const BoneNode& bone) const
+    std::span<const TrackState> tracks(const BoneNode& bone) const
     {
         return tracks_.subspan(bone.first_track, bone.track_count);
     }
     /// Of an object's keys; it has them.
-    const LiveTrack& key_track(const Node& node, KeyValue value) const;
+    const TrackState& key_track(const Node& node, KeyValue value) const;
 
     /// The two values between which a track is, and the way from one to the other; not of a smooth one.
-    Passage passage(const LiveTrack& track, LawAxis axis) const
+    KeySpan key_span(const TrackState& track, LawAxis axis) const
     {
         return {track.from, track.to, track.has_timeline() ? timelines_[track.timeline].way(axis) : Way{}};
     }
-    Progress progress(const LiveTrack& track) const
+    Progress progress(const TrackState& track) const
     {
         return track.has_timeline() ? timelines_[track.timeline].progress() : Progress{};
     }
     /// It stays as it is up to the next key. `scene` has its laws.
-    bool is_held(const SceneView& scene, const LiveTrack& track) const
+    bool is_held(const SceneView& scene, const TrackState& track) const
     {
         return track.has_timeline() && timelines_[track.timeline].is_held(scene);
     }
     /// What a track of a property comes to, in 1/256 of its unit. `scene` has its values.
-    std::int32_t fine_value(const SceneView& scene, const LiveTrack& track) const;
+    std::int32_t fine_value(const SceneView& scene, const TrackState& track) const;
 
     /// What moves a track.
-    Dependence dependence(const LiveTrack& track) const;
+    Dependence dependence(const TrackState& track) const;
     /// To what drawing the way leads from the key before the moment, as an offset.
     std::int32_t arrival(const Node& node) const
     {
@@ -101,7 +101,7 @@ private:
     Dependence dependence_of_bones(const Node& node) const;
 
     std::span<KeyTimeline> timelines_;
-    std::span<LiveTrack> tracks_;
+    std::span<TrackState> tracks_;
     std::span<Node> nodes_;
     std::span<BoneNode> bones_;
     std::span<WalkLevel> levels_;

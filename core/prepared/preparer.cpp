@@ -28,14 +28,14 @@ void Preparer::run()
 
 void Preparer::add_skeletons()
 {
-    for (BonesCursor skeletons = scene_.skeletons(); !skeletons.at_end();)
+    for (SkeletonCursor skeletons = scene_.skeletons(); !skeletons.at_end();)
         add_bones(skeletons.next(), records_.bones);
 }
 
 /// `first`: how many bones the skeletons before have.
-void Preparer::add_bones(const BonesView& skeleton, std::uint32_t first)
+void Preparer::add_bones(const SkeletonView& skeleton, std::uint32_t first)
 {
-    const std::uint16_t common = timeline_of(skeleton.common_beats(), false);
+    const std::uint16_t common = timeline_of(skeleton.common_key_times(), false);
     for (BoneCursor bones = skeleton.bones(); !bones.at_end();) {
         BoneNode node;
         node.place = scene_.place_of(bones.rest().rest().data());
@@ -47,10 +47,10 @@ void Preparer::add_bones(const BonesView& skeleton, std::uint32_t first)
             if (keys.kind() == BoneKeys::Kind::none)
                 continue;
             if (keys.kind() == BoneKeys::Kind::common) {
-                beats_ = scene_.place_of(skeleton.common_beats().place());
+                key_times_ = scene_.place_of(skeleton.common_key_times().place());
                 timeline_ = common;
             }
-            add_track(static_cast<std::uint8_t>(i), keys.keys().beats(), keys.values());
+            add_track(static_cast<std::uint8_t>(i), keys.keys().key_times(), keys.values());
             ++node.track_count;
         }
         put_at(room_.bones, records_.bones++, node);
@@ -148,54 +148,54 @@ bool Preparer::add_tracks(const ItemView& item, Node& node)
         if (track.is_fixed)
             add_track({.from = track.value, .to = track.value, .property = property});
         else
-            add_track(property, track.keys.beats(), track.keys.values(), track.is_smooth);
+            add_track(property, track.keys.key_times(), track.keys.values(), track.is_smooth);
     }
     return has_order;
 }
 
 void Preparer::add_keys(const ObjectView& object)
 {
-    const auto add = [this](KeyValue value, const BeatCursor& beats, const PackedValues& values) {
-        add_track(static_cast<std::uint8_t>(value), beats, values);
+    const auto add = [this](KeyValue value, const KeyTimeCursor& key_times, const PackedValues& values) {
+        add_track(static_cast<std::uint8_t>(value), key_times, values);
     };
     const KeyCursor keys = object.keys();
-    add(KeyValue::drawing, keys.beats(), keys.drawings());
+    add(KeyValue::drawing, keys.key_times(), keys.drawings());
     if (object.has_arrivals)
-        add(KeyValue::arrival, keys.beats(), keys.arrivals());
+        add(KeyValue::arrival, keys.key_times(), keys.arrivals());
     if (object.has_more())
-        add(KeyValue::more, keys.beats(), keys.more());
+        add(KeyValue::more, keys.key_times(), keys.more());
     if (object.carrier != Carrier::backbones)
         return;
     const BackboneKeyCursor backbones = object.backbones.keys();
-    add(KeyValue::backbones, backbones.beats(), backbones.drawings());
+    add(KeyValue::backbones, backbones.key_times(), backbones.drawings());
 }
 
-void Preparer::add_track(std::uint8_t property, const BeatCursor& beats, const PackedValues& values,
+void Preparer::add_track(std::uint8_t property, const KeyTimeCursor& key_times, const PackedValues& values,
                          bool is_smooth)
 {
-    const std::uint16_t timeline = timeline_of(beats, is_smooth);
-    LiveTrack track{.values = scene_.place_of(values.place()),
-                    .timeline = timeline,
-                    .property = property,
-                    .is_smooth = is_smooth};
+    const std::uint16_t timeline = timeline_of(key_times, is_smooth);
+    TrackState track{.values = scene_.place_of(values.place()),
+                     .timeline = timeline,
+                     .property = property,
+                     .is_smooth = is_smooth};
     if (!track.has_timeline())
         track.from = track.to = values[0];
     add_track(track);
 }
 
-void Preparer::add_track(const LiveTrack& track) { put_at(room_.tracks, records_.tracks++, track); }
+void Preparer::add_track(const TrackState& track) { put_at(room_.tracks, records_.tracks++, track); }
 
 /// None of a single beat.
-std::uint16_t Preparer::timeline_of(const BeatCursor& beats, bool is_smooth)
+std::uint16_t Preparer::timeline_of(const KeyTimeCursor& key_times, bool is_smooth)
 {
-    if (beats.count() < 2)
-        return LiveTrack::no_timeline;
-    const std::uint32_t place = scene_.place_of(beats.place());
-    if (place != beats_) {
-        beats_ = place;
-        keys_ += beats.count();
+    if (key_times.count() < 2)
+        return TrackState::no_timeline;
+    const std::uint32_t place = scene_.place_of(key_times.place());
+    if (place != key_times_) {
+        key_times_ = place;
+        keys_ += key_times.count();
         timeline_ = static_cast<std::uint16_t>(records_.timelines);
-        put_at(room_.timelines, records_.timelines++, KeyTimeline{place, beats.clock()});
+        put_at(room_.timelines, records_.timelines++, KeyTimeline{place, key_times.driver()});
     }
     if (is_smooth && timeline_ < room_.timelines.size())
         room_.timelines[timeline_].move_with_time();

@@ -15,7 +15,7 @@ class Preparer {
 public:
     struct Room {
         std::span<KeyTimeline> timelines{};
-        std::span<LiveTrack> tracks{};
+        std::span<TrackState> tracks{};
         std::span<Node> nodes{};
         std::span<BoneNode> bones{};
     };
@@ -40,7 +40,7 @@ private:
         std::uint32_t node = 0;
     };
 
-    void add_bones(const BonesView& skeleton, std::uint32_t first);
+    void add_bones(const SkeletonView& skeleton, std::uint32_t first);
     void add_symbols();
     std::uint32_t add_root(ItemCursor items);
     std::uint32_t add_item(const ItemView& item, std::uint32_t around);
@@ -49,10 +49,10 @@ private:
     std::uint16_t symbol_node(std::uint32_t symbol) const;
     bool add_tracks(const ItemView& item, Node& node);
     void add_keys(const ObjectView& object);
-    void add_track(std::uint8_t property, const BeatCursor& beats, const PackedValues& values,
+    void add_track(std::uint8_t property, const KeyTimeCursor& key_times, const PackedValues& values,
                    bool is_smooth = false);
-    void add_track(const LiveTrack& track);
-    std::uint16_t timeline_of(const BeatCursor& beats, bool is_smooth);
+    void add_track(const TrackState& track);
+    std::uint16_t timeline_of(const KeyTimeCursor& key_times, bool is_smooth);
     bool has_several_layers(std::uint32_t number, const Node& node) const;
     void finish(std::uint32_t number);
 
@@ -61,8 +61,8 @@ private:
     SceneRecords records_;
     std::uint32_t root_ = 0;
     std::uint32_t keys_ = 0;
-    std::uint32_t beats_ = 0;                         ///< the place of those that were met last
-    std::uint16_t timeline_ = LiveTrack::no_timeline; ///< theirs
+    std::uint32_t key_times_ = 0;                      ///< the place of those that were met last
+    std::uint16_t timeline_ = TrackState::no_timeline; ///< theirs
 };
 
 }

@@ -14,24 +14,24 @@ int step_of(const RowChain& chain) { return chain.runs_down ? 1 : -1; }
 /// The windings that occur in a group.
 class Windings {
 public:
-    explicit Windings(std::int32_t first) : least_{first}, most_{first} { note(first); }
+    explicit Windings(std::int32_t first) : min_{first}, max_{first} { note(first); }
 
     void note(std::int32_t winding)
     {
-        least_ = std::min(least_, winding);
-        most_ = std::max(most_, winding);
+        min_ = std::min(min_, winding);
+        max_ = std::max(max_, winding);
         has_zero_ = has_zero_ || winding == 0;
     }
 
     /// Whether sums of areas tell the coverage.
     bool areas_add_up(FillRule rule) const
     {
-        return most_ - least_ <= 1 || (rule == FillRule::nonzero && !has_zero_);
+        return max_ - min_ <= 1 || (rule == FillRule::nonzero && !has_zero_);
     }
 
 private:
-    std::int32_t least_;
-    std::int32_t most_;
+    std::int32_t min_;
+    std::int32_t max_;
     bool has_zero_ = false;
 };
 

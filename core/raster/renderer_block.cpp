@@ -1,4 +1,4 @@
-#include "core/bytes/block_cutter.hpp"
+#include "core/bytes/bump_allocator.hpp"
 #include "core/raster/renderer.hpp"
 
 namespace kfast::raster {
@@ -51,7 +51,7 @@ Renderer::Renderer(const RendererNeeds& needs, Size panel, Colour background, st
     : panel_{panel}
 {
     const BlockPlan plan{needs, panel};
-    BlockCutter cutter{block};
+    BumpAllocator cutter{block};
     const std::span<std::byte> outlines = cutter.cut(plan.outlines);
     picture_.cache = PictureCache{cutter.cut(plan.cache)};
     picture_.storage = cutter.cut_as<PaintStep>(plan.steps);

@@ -3,15 +3,17 @@
 namespace kfast {
 
 BackboneKeyCursor::BackboneKeyCursor(ByteReader& bytes)
-    : beats_{BeatCursor::take(bytes, BeatCursor::one())}, drawings_{PackedValues::take(bytes, beats_.count())}
+    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())}, drawings_{PackedValues::take(
+                                                                        bytes, key_times_.count())}
 {
 }
 
 BackboneKey BackboneKeyCursor::next()
 {
-    const Beat beat = beats_.next();
-    return {
-        .time = beat.time, .laws = beat.laws, .drawing = static_cast<std::uint32_t>(drawings_[beat.index])};
+    const KeyTime key_time = key_times_.next();
+    return {.time = key_time.time,
+            .laws = key_time.laws,
+            .drawing = static_cast<std::uint32_t>(drawings_[key_time.index])};
 }
 
 std::size_t backbone_node_count(PackedDrawing drawing)

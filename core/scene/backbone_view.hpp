@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/scene/beat_cursor.hpp"
+#include "core/scene/key_time_cursor.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/packed_values.hpp"
 #include "core/time/time.hpp"
@@ -23,15 +23,15 @@ public:
     /// Takes `bytes` as far as the keys go.
     explicit BackboneKeyCursor(ByteReader& bytes);
 
-    bool at_end() const { return beats_.at_end(); }
+    bool at_end() const { return key_times_.at_end(); }
     /// Only when not at the end.
     BackboneKey next();
     /// What has not been read.
-    const BeatCursor& beats() const { return beats_; }
+    const KeyTimeCursor& key_times() const { return key_times_; }
     const PackedValues& drawings() const { return drawings_; }
 
 private:
-    BeatCursor beats_;
+    KeyTimeCursor key_times_;
     PackedValues drawings_;
 };
 

@@ -17,13 +17,13 @@ constexpr std::int32_t sixteenths(std::uint32_t length, bool in_pixels)
 
 }
 
-BoneKeys BoneKeys::take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up)
+BoneKeys BoneKeys::take(ByteReader& bytes, const KeyTimeCursor& common, std::int32_t set_up)
 {
     ByteReader ahead = bytes;
     BoneKeys keys;
     keys.kind_ = ahead.u8() == 0 ? Kind::common : Kind::own;
-    keys.beats_ = BeatCursor::take(bytes, common);
-    keys.values_ = PackedValues::take(bytes, keys.beats_.count(), set_up);
+    keys.key_times_ = KeyTimeCursor::take(bytes, common);
+    keys.values_ = PackedValues::take(bytes, keys.key_times_.count(), set_up);
     return keys;
 }
 
@@ -56,8 +56,8 @@ BoneView BoneCursor::next()
     return bone;
 }
 
-BonesView::BonesView(ByteReader bytes)
-    : count_{bytes.u8()}, common_{BeatCursor::take(bytes, BeatCursor{})}, bones_{bytes}
+SkeletonView::SkeletonView(ByteReader bytes)
+    : count_{bytes.u8()}, common_{KeyTimeCursor::take(bytes, KeyTimeCursor{})}, bones_{bytes}
 {
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/scene/beat_cursor.hpp"
+#include "core/scene/key_time_cursor.hpp"
 #include "core/scene/packed_values.hpp"
 #include "core/scene/track_view.hpp"
 
@@ -28,17 +28,17 @@ public:
 
     BoneKeys() = default;
     /// Takes `bytes` as far as the keys go. Values are stored as differences from `set_up`.
-    static BoneKeys take(ByteReader& bytes, const BeatCursor& common, std::int32_t set_up);
+    static BoneKeys take(ByteReader& bytes, const KeyTimeCursor& common, std::int32_t set_up);
 
     Kind kind() const { return kind_; }
     /// Also those of Kind::common; not of Kind::none.
-    TrackKeyCursor keys() const { return {beats_, values_}; }
+    TrackKeyCursor keys() const { return {key_times_, values_}; }
     /// As they are stored: differences from the bone as set up.
     PackedValues values() const { return values_.as_stored(); }
 
 private:
     Kind kind_ = Kind::none;
-    BeatCursor beats_;
+    KeyTimeCursor key_times_;
     PackedValues values_;
 };
 
@@ -65,7 +65,7 @@ struct BoneView : BoneSetUp {
 /// Reads the bones of a skeleton, parents before their children.
 class BoneCursor {
 public:
-    BoneCursor(ByteReader bytes, std::uint32_t count, const BeatCursor& common)
+    BoneCursor(ByteReader bytes, std::uint32_t count, const KeyTimeCursor& common)
         : bytes_{bytes}, left_{count}, common_{common}
     {
     }
@@ -79,33 +79,33 @@ public:
 private:
     ByteReader bytes_;
     std::uint32_t left_;
-    BeatCursor common_;
+    KeyTimeCursor common_;
 };
 
 /// A skeleton of bones: one tree or several; borrows the scene's bytes.
-class BonesView {
+class SkeletonView {
 public:
-    explicit BonesView(ByteReader bytes);
+    explicit SkeletonView(ByteReader bytes);
 
     std::uint32_t count() const { return count_; }
     /// At which several quantities have keys; maybe none.
-    BeatCursor common_beats() const { return common_; }
+    KeyTimeCursor common_key_times() const { return common_; }
     BoneCursor bones() const { return {bones_, count_, common_}; }
 
 private:
     std::uint32_t count_;
-    BeatCursor common_;
+    KeyTimeCursor common_;
     ByteReader bones_;
 };
 
 /// Reads the skeletons of a scene.
-class BonesCursor {
+class SkeletonCursor {
 public:
-    explicit BonesCursor(ByteReader bytes) : bytes_{bytes} {}
+    explicit SkeletonCursor(ByteReader bytes) : bytes_{bytes} {}
 
     bool at_end() const { return bytes_.left() == 0; }
     /// Only when not at the end.
-    BonesView next() { return BonesView{bytes_.take(bytes_.varint())}; }
+    SkeletonView next() { return SkeletonView{bytes_.take(bytes_.varint())}; }
     /// Passes the next skeleton without a look at its keys, which may be many; how many bones it has. Only
     /// when not at the end.
     std::uint32_t skip() { return bytes_.take(bytes_.varint()).u8(); }

@@ -41,7 +41,7 @@ char32_t GlyphSet::character(std::uint32_t glyph) const
     return found.character + (glyph - found.glyph);
 }
 
-bool GlyphSet::is_sound() const
+bool GlyphSet::is_valid() const
 {
     if (stretches() == 0 || stretch(0).glyph != 0)
         return false;

@@ -24,7 +24,7 @@ public:
     /// `glyph` is less than count(), and the set is sound.
     char32_t character(std::uint32_t glyph) const;
     /// Whether it is what the format allows: characters rise with their numbers.
-    bool is_sound() const;
+    bool is_valid() const;
 
 private:
     /// Characters that follow each other, as far as the next stretch.

@@ -11,9 +11,9 @@ namespace {
 TextInput take_text(ByteReader& bytes)
 {
     TextInput text;
-    text.most = bytes.u8();
+    text.max = bytes.u8();
     text.glyphs = GlyphSet::take(bytes);
-    text.usual = bytes.take(bytes.u8()).rest();
+    text.default_value = bytes.take(bytes.u8()).rest();
     return text;
 }
 
@@ -23,9 +23,9 @@ Time InputView::place_of(std::int32_t value) const
 {
     if (type != InputType::number)
         return {};
-    const std::uint32_t range = static_cast<std::uint32_t>(most) - static_cast<std::uint32_t>(least);
+    const std::uint32_t range = static_cast<std::uint32_t>(max) - static_cast<std::uint32_t>(min);
     const auto above =
-        static_cast<std::uint32_t>(std::clamp(value, least, most)) - static_cast<std::uint32_t>(least);
+        static_cast<std::uint32_t>(std::clamp(value, min, max)) - static_cast<std::uint32_t>(min);
     const std::uint64_t whole = static_cast<std::uint32_t>(whole_input.ticks);
     return {static_cast<std::int32_t>(quotient(above * whole + range / 2, range))};
 }
@@ -38,9 +38,9 @@ InputView InputCursor::next()
     input.name = read_name(bytes_);
     switch (input.type) {
     case InputType::number:
-        input.least = bytes_.signed_varint();
-        input.most = bytes_.signed_varint();
-        input.usual = bytes_.signed_varint();
+        input.min = bytes_.signed_varint();
+        input.max = bytes_.signed_varint();
+        input.default_value = bytes_.signed_varint();
         return input;
     case InputType::text:
         input.text = take_text(bytes_);
@@ -48,18 +48,18 @@ InputView InputCursor::next()
     case InputType::drawing:
         input.drawing.strokes = bytes_.varint();
         input.drawing.points = bytes_.varint();
-        input.drawing.usual = bytes_.varint();
+        input.drawing.default_value = bytes_.varint();
         return input;
     }
     bytes_.refuse();
     return input;
 }
 
-void put_usual_places(InputCursor inputs, std::span<Time> places)
+void put_default_places(InputCursor inputs, std::span<Time> places)
 {
     for (Time& place : places) {
         const InputView input = inputs.next();
-        place = input.place_of(input.usual);
+        place = input.place_of(input.default_value);
     }
 }
 

@@ -19,27 +19,27 @@ enum class InputType : std::uint8_t {
 
 /// What of an input is a text.
 struct TextInput {
-    std::uint32_t most = 0;           ///< characters
-    GlyphSet glyphs = {};             ///< of the characters that are shown; others are left out
-    std::span<const std::byte> usual; ///< the numbers of its glyphs, until another text is told
+    std::uint32_t max = 0;                    ///< characters
+    GlyphSet glyphs = {};                     ///< of the characters that are shown; others are left out
+    std::span<const std::byte> default_value; ///< the numbers of its glyphs, until another text is told
 };
 
 /// What a drawing from outside may have, and what it is until one is told.
 struct DrawingInput {
     std::uint32_t strokes = 0;
-    std::uint32_t points = 0; ///< of all strokes together
-    std::uint32_t usual = 0;  ///< offset in the section of drawings: lines, no more than that
+    std::uint32_t points = 0;        ///< of all strokes together
+    std::uint32_t default_value = 0; ///< offset in the section of drawings: lines, no more than that
 };
 
 /// What a scene takes from outside; borrows the scene's bytes. Values of a number are in 1/1000.
 struct InputView {
     std::string_view name; ///< UTF-8
     InputType type = InputType::number;
-    std::int32_t least = 0;
-    std::int32_t most = 0;  ///< more than `least`, of a number
-    std::int32_t usual = 0; ///< until another is told
-    TextInput text = {};    ///< only of a text
-    DrawingInput drawing{}; ///< only of a drawing
+    std::int32_t min = 0;
+    std::int32_t max = 0;           ///< more than `least`, of a number
+    std::int32_t default_value = 0; ///< until another is told
+    TextInput text = {};            ///< only of a text
+    DrawingInput drawing{};         ///< only of a drawing
 
     /// Where the input stands with `value`, held within its range; rounded to nearest, halves up. 0 unless it
     /// is a number.
@@ -64,6 +64,6 @@ private:
 
 /// Puts into `places` where the inputs stand until others are told; there are as many of both. What is no
 /// number stands at 0.
-void put_usual_places(InputCursor inputs, std::span<Time> places);
+void put_default_places(InputCursor inputs, std::span<Time> places);
 
 }

@@ -121,18 +121,18 @@ void take_live_kind(ByteReader& bytes, ItemView& item)
     if (item.object.has_depths)
         item.kind = ItemKind::object;
     else
-        item.live.kind = static_cast<LiveKind>(kind);
+        item.live.kind = static_cast<InputLeaf>(kind);
 }
 
 /// Behind the kind of what is live.
 void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 {
     switch (item.live.kind) {
-    case LiveKind::drawing:
+    case InputLeaf::drawing:
         item.live.input = bytes.u8();
         item.object.style = take_style(bytes, head);
         return;
-    case LiveKind::label:
+    case InputLeaf::label:
         item.live.input = bytes.u8();
         item.object.style = take_style(bytes, head);
         item.live.label = bytes.take(bytes.varint());
@@ -144,23 +144,24 @@ void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 }
 
 KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more)
-    : beats_{BeatCursor::take(bytes, BeatCursor::one())},
-      drawings_{PackedValues::take(bytes, beats_.count())}, has_arrivals_{has_arrivals}, has_more_{has_more}
+    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())}, drawings_{PackedValues::take(
+                                                                        bytes, key_times_.count())},
+      has_arrivals_{has_arrivals}, has_more_{has_more}
 {
     if (has_arrivals)
-        arrivals_ = PackedValues::take(bytes, beats_.count());
+        arrivals_ = PackedValues::take(bytes, key_times_.count());
     if (has_more)
-        more_ = PackedValues::take(bytes, beats_.count());
+        more_ = PackedValues::take(bytes, key_times_.count());
 }
 
-Key KeyCursor::at(const Beat& beat) const
+Key KeyCursor::at(const KeyTime& key_time) const
 {
-    Key key{.time = beat.time, .laws = beat.laws};
-    key.drawing = static_cast<std::uint32_t>(drawings_[beat.index]);
+    Key key{.time = key_time.time, .laws = key_time.laws};
+    key.drawing = static_cast<std::uint32_t>(drawings_[key_time.index]);
     if (has_arrivals_)
-        key.arrival = static_cast<std::uint32_t>(arrivals_[beat.index]);
+        key.arrival = static_cast<std::uint32_t>(arrivals_[key_time.index]);
     if (has_more_)
-        key.more = more_[beat.index];
+        key.more = more_[key_time.index];
     return key;
 }
 

@@ -3,7 +3,7 @@
 #include "core/bytes/byte_reader.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/scene/backbone_view.hpp"
-#include "core/scene/beat_cursor.hpp"
+#include "core/scene/key_time_cursor.hpp"
 #include "core/scene/packed_values.hpp"
 #include "core/scene/path_view.hpp"
 #include "core/scene/track_view.hpp"
@@ -52,18 +52,18 @@ public:
     /// Takes `bytes` as far as the keys go.
     KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more);
 
-    bool at_end() const { return beats_.at_end(); }
+    bool at_end() const { return key_times_.at_end(); }
     /// Only when not at the end.
-    Key next() { return at(beats_.next()); }
+    Key next() { return at(key_times_.next()); }
     /// What has not been read.
-    const BeatCursor& beats() const { return beats_; }
+    const KeyTimeCursor& key_times() const { return key_times_; }
     const PackedValues& drawings() const { return drawings_; }
     const PackedValues& arrivals() const { return arrivals_; }
     const PackedValues& more() const { return more_; }
-    Key at(const Beat& beat) const;
+    Key at(const KeyTime& key_time) const;
 
 private:
-    BeatCursor beats_;
+    KeyTimeCursor key_times_;
     PackedValues drawings_;
     PackedValues arrivals_;
     PackedValues more_;
@@ -74,7 +74,7 @@ private:
 /// Looks at no drawing in between.
 inline KeyInterval<Key> interval_at(const KeyCursor& keys, Time time)
 {
-    const auto [from, to] = interval_at(keys.beats(), time);
+    const auto [from, to] = interval_at(keys.key_times(), time);
     return {keys.at(from), keys.at(to)};
 }
 
@@ -104,18 +104,18 @@ struct ObjectView {
 
 enum class ItemKind : std::uint8_t { object, group, use, live };
 
-/// In the place of a LiveKind: the item is an object that is a wire frame.
+/// In the place of a InputLeaf: the item is an object that is a wire frame.
 inline constexpr std::uint32_t wire_kind = 2;
 
 /// What a live item shows.
-enum class LiveKind : std::uint8_t {
+enum class InputLeaf : std::uint8_t {
     drawing, ///< an input of InputType::drawing, in the item's style
     label,   ///< one of InputType::text, likewise
 };
 
 /// What a live item is besides its tracks and its style.
 struct LiveView {
-    LiveKind kind = LiveKind::drawing;
+    InputLeaf kind = InputLeaf::drawing;
     std::uint32_t input = 0; ///< its number in the scene
     ByteReader label{};      ///< how the text is laid out, for LabelView; only of a label
 };

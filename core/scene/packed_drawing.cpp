@@ -14,15 +14,15 @@ constexpr Fixed moved(Fixed from, std::int32_t sixteenths)
     return Fixed::from_raw(static_cast<std::int32_t>(static_cast<std::uint32_t>(from.raw()) + shift));
 }
 
-constexpr Fixed foretold_end(Fixed out, Fixed in)
+constexpr Fixed predicted_end(Fixed out, Fixed in)
 {
     constexpr std::int32_t sixteenth = Fixed::one / 16;
-    return Fixed::sixteenths(kfast::foretold_end(out.raw() / sixteenth, in.raw() / sixteenth));
+    return Fixed::sixteenths(kfast::predicted_end(out.raw() / sixteenth, in.raw() / sixteenth));
 }
 
-constexpr Point foretold_end(Point out, Point in)
+constexpr Point predicted_end(Point out, Point in)
 {
-    return {foretold_end(out.x, in.x), foretold_end(out.y, in.y)};
+    return {predicted_end(out.x, in.x), predicted_end(out.y, in.y)};
 }
 
 /// The highest `count` bits as a signed number.
@@ -78,7 +78,7 @@ void PackedDrawing::begin(std::uint32_t head, ByteReader form)
     const std::uint32_t count = form.varint();
     left_ = count / 2;
     if (count % 2 != 0)
-        foretell(form.u8());
+        predict(form.u8());
     half_ = form_.end == StrokeEnd::turned ? left_ / 2 : 0;
     is_known_ = is_known_ && !form.overrun() && form_.packed() == head && form_.mix != SegmentMix::repeat &&
                 (half_ == 0 || left_ % 2 == 0);
@@ -86,10 +86,10 @@ void PackedDrawing::begin(std::uint32_t head, ByteReader form)
     bits_ = BitReader{form.rest()};
 }
 
-void PackedDrawing::foretell(std::uint32_t byte)
+void PackedDrawing::predict(std::uint32_t byte)
 {
-    form_.foretell(byte);
-    is_known_ = is_known_ && form_.foretelling() == byte && form_.mix != SegmentMix::lines;
+    form_.predict(byte);
+    is_known_ = is_known_ && form_.predicting() == byte && form_.mix != SegmentMix::lines;
 }
 
 Segment PackedDrawing::next_segment()
@@ -101,8 +101,8 @@ Segment PackedDrawing::next_segment()
     const bool is_cubic =
         form_.mix == SegmentMix::cubics || (form_.mix == SegmentMix::both && bits_.bits(1) != 0);
     const Point from = at_;
-    if (is_cubic && form_.foretold != 0)
-        return foretold_cubic(from);
+    if (is_cubic && form_.predicted != 0)
+        return predicted_cubic(from);
     const Point to = closes() ? start_ : from + vector(form_.ends);
     at_ = to;
     if (!is_cubic) {
@@ -115,11 +115,11 @@ Segment PackedDrawing::next_segment()
     return {.kind = Segment::Kind::cubic, .from = from, .c1 = c1, .c2 = to + back, .to = to};
 }
 
-Segment PackedDrawing::foretold_cubic(Point from)
+Segment PackedDrawing::predicted_cubic(Point from)
 {
     const Point out = first_control();
     const Point in = out + vector(form_.controls);
-    const Point to = closes() ? start_ : from + foretold_end(out, in) + vector(form_.ends);
+    const Point to = closes() ? start_ : from + predicted_end(out, in) + vector(form_.ends);
     at_ = to;
     onwards_ = in;
     return {.kind = Segment::Kind::cubic, .from = from, .c1 = from + out, .c2 = to - in, .to = to};
@@ -152,7 +152,7 @@ Point PackedDrawing::first_control()
 Point PackedDrawing::vector(const VectorForm& form)
 {
     const std::uint32_t width = form.bits;
-    if (width > (BitReader::most - 2) / 2)
+    if (width > (BitReader::max - 2) / 2)
         return wide_vector(form);
     std::uint32_t ahead = bits_.ahead();
     if (!form.is_sparse) {

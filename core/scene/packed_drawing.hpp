@@ -24,15 +24,15 @@ public:
     Segment next_segment();
 
     /// Whether everything that has been read so far was within the format's limits.
-    bool is_sound() const { return is_known_ && !bytes_.overrun() && !bits_.overrun(); }
+    bool is_valid() const { return is_known_ && !bytes_.overrun() && !bits_.overrun(); }
 
 private:
     ByteReader form_elsewhere(std::uint32_t head);
     void begin(std::uint32_t head, ByteReader form);
-    void foretell(std::uint32_t byte);
+    void predict(std::uint32_t byte);
     void move_start();
     void turn();
-    Segment foretold_cubic(Point from);
+    Segment predicted_cubic(Point from);
     bool closes() const { return left_ == 0 && form_.end == StrokeEnd::closed; }
     Point vector(const VectorForm& form);
     Point wide_vector(const VectorForm& form);

@@ -12,7 +12,7 @@ PackedValues PackedValues::take(ByteReader& bytes, std::uint32_t count, std::int
         values.width_ = form & 31;
         values.unit_ = static_cast<std::uint8_t>(form >> 5);
     }
-    values.least_ = static_cast<std::uint32_t>(bytes.signed_varint());
+    values.min_ = static_cast<std::uint32_t>(bytes.signed_varint());
     values.bits_ = BitReader::take(bytes, count, values.width_);
     return values;
 }
@@ -21,7 +21,7 @@ std::int32_t PackedValues::operator[](std::uint32_t index) const
 {
     BitReader bits = bits_;
     bits.skip(index * width_);
-    const std::int32_t stored = in_unit(least_ + bits.number(width_), unit_);
+    const std::int32_t stored = in_unit(min_ + bits.number(width_), unit_);
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(stored) + more_);
 }
 

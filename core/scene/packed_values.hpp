@@ -30,7 +30,7 @@ public:
 private:
     const std::byte* place_ = nullptr;
     BitReader bits_;
-    std::uint32_t least_ = 0;
+    std::uint32_t min_ = 0;
     std::uint32_t more_ = 0;
     std::uint8_t width_ = 0;
     std::uint8_t unit_ = 0;

@@ -70,8 +70,8 @@ constexpr std::int32_t value_without_track(Property property)
 }
 
 struct ValueRange {
-    std::int32_t least;
-    std::int32_t most;
+    std::int32_t min;
+    std::int32_t max;
 };
 
 /// The values that keys of a track may have; on the way between them, bezier laws may swing beyond.

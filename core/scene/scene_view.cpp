@@ -41,7 +41,7 @@ LawPair SceneView::laws_at(std::uint16_t place) const
 std::size_t SceneView::first_bone(std::uint32_t skeleton) const
 {
     std::size_t first = 0;
-    for (BonesCursor cursor = skeletons(); skeleton > 0; --skeleton)
+    for (SkeletonCursor cursor = skeletons(); skeleton > 0; --skeleton)
         first += cursor.skip();
     return first;
 }

@@ -26,7 +26,7 @@ namespace kfast {
 
 /// The distance of the viewer where a scene names none, in pixels: twice the longer side. From there the
 /// canvas is seen within 28 degrees.
-constexpr std::int32_t usual_camera(Size canvas)
+constexpr std::int32_t default_camera(Size canvas)
 {
     return std::max<std::int32_t>(kfb::min_camera, 2 * std::max(canvas.width, canvas.height));
 }
@@ -108,13 +108,13 @@ public:
     std::uint16_t place_of_laws(std::uint32_t number) const;
     LawPair laws_at(std::uint16_t place) const;
     /// The skeletons of bones.
-    BonesCursor skeletons() const { return BonesCursor{bones_}; }
+    SkeletonCursor skeletons() const { return SkeletonCursor{bones_}; }
     const SceneRecords& records() const { return records_; }
     /// Of all skeletons together.
     std::uint32_t bone_count() const { return records_.bones; }
     /// How many bones the skeletons before `skeleton` have.
     std::size_t first_bone(std::uint32_t skeleton) const;
-    /// How many nodes and gaps the backbones of any object have at most (core/pose/live_backbones.hpp).
+    /// How many nodes and gaps the backbones of any object have at most (core/pose/posed_backbones.hpp).
     std::size_t backbone_nodes() const { return backbone_nodes_; }
     /// The outermost items.
     ItemCursor items() const { return ItemCursor{items_}; }
@@ -201,7 +201,7 @@ private:
 };
 
 /// A part of a scene's timeline that is played, and what happens at its ends.
-struct Stretch {
+struct PlayRange {
     Time begin;
     Time end; ///< later than `begin`; both are within 0 … kfb::max_time
     Loop loop = Loop::repeat;
@@ -210,8 +210,8 @@ struct Stretch {
 };
 
 /// The whole scene.
-inline Stretch stretch_of(const SceneView& scene) { return {Time{0}, scene.length(), scene.loop()}; }
+inline PlayRange play_range_of(const SceneView& scene) { return {Time{0}, scene.length(), scene.loop()}; }
 
-constexpr Stretch stretch_of(const ClipView& clip) { return {clip.begin, clip.end, clip.loop}; }
+constexpr PlayRange play_range_of(const ClipView& clip) { return {clip.begin, clip.end, clip.loop}; }
 
 }

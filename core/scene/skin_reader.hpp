@@ -66,7 +66,7 @@ public:
     const Binding& binding() const { return binding_; }
 
     /// Whether everything that has been read so far was within the bytes.
-    bool is_sound() const { return !bytes_.overrun(); }
+    bool is_valid() const { return !bytes_.overrun(); }
     /// No more points belong to the run that was read last.
     bool run_is_over() const { return left_ == 0; }
 

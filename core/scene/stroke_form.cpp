@@ -42,12 +42,12 @@ std::uint32_t StrokeForm::packed() const
            more(ends.bits, controls.bits) << 13;
 }
 
-void StrokeForm::foretell(std::uint32_t byte)
+void StrokeForm::predict(std::uint32_t byte)
 {
-    foretold = bits_within(byte & 31);
+    predicted = bits_within(byte & 31);
     controls.bits = bits_within(controls.bits + (byte >> 5));
 }
 
-std::uint32_t StrokeForm::foretelling() const { return foretold | more(controls.bits, ends.bits) << 5; }
+std::uint32_t StrokeForm::predicting() const { return predicted | more(controls.bits, ends.bits) << 5; }
 
 }

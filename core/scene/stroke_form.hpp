@@ -22,7 +22,7 @@ struct VectorForm {
 
 /// How far a cubic leads in x or y whose control points are `out` from its beginning and `in` before its end,
 /// if it is no more than a parabola. Towards 0, so that it is mirrored where they are.
-constexpr std::int32_t foretold_end(std::int32_t out, std::int32_t in) { return 3 * (out + in) / 2; }
+constexpr std::int32_t predicted_end(std::int32_t out, std::int32_t in) { return 3 * (out + in) / 2; }
 
 /// How the segments of a stroke are packed (docs/format.md, "Strokes").
 struct StrokeForm {
@@ -37,23 +37,23 @@ struct StrokeForm {
     /// all if 0, exactly if 1, else but for a vector of so many bits.
     std::uint8_t smooth = 0;
     /// Bits of the first control points of cubics that are foretold: of their second control points and their
-    /// ends only what differs from foretold_end() and the like is stored. 0 if they are not.
-    std::uint8_t foretold = 0;
+    /// ends only what differs from predicted_end() and the like is stored. 0 if they are not.
+    std::uint8_t predicted = 0;
     VectorForm ends;     ///< of segments, from their beginnings
     VectorForm controls; ///< of cubics: the first from the beginning, the second from the end
 
     friend bool operator==(const StrokeForm&, const StrokeForm&) = default;
 
     /// Of first control points.
-    VectorForm first_controls() const { return foretold != 0 ? VectorForm{foretold, false} : controls; }
+    VectorForm first_controls() const { return predicted != 0 ? VectorForm{predicted, false} : controls; }
 
     /// Of 16 bits. What has no meaning in them is left out: packed() tells.
     static StrokeForm unpacked(std::uint32_t head);
     std::uint32_t packed() const;
     /// Makes a form that is unpacked one whose curves are foretold, from a byte; foretelling() tells what had
     /// a meaning.
-    void foretell(std::uint32_t byte);
-    std::uint32_t foretelling() const;
+    void predict(std::uint32_t byte);
+    std::uint32_t predicting() const;
 };
 
 }

@@ -9,9 +9,9 @@ constexpr std::uint32_t fixed_bit = 0x80;
 
 }
 
-TrackKey TrackKeyCursor::at(const Beat& beat) const
+TrackKey TrackKeyCursor::at(const KeyTime& key_time) const
 {
-    return {.time = beat.time, .laws = is_smooth_ ? 0 : beat.laws, .value = values_[beat.index]};
+    return {.time = key_time.time, .laws = is_smooth_ ? 0 : key_time.laws, .value = values_[key_time.index]};
 }
 
 TrackView TrackCursor::next()
@@ -25,8 +25,8 @@ TrackView TrackCursor::next()
         track.is_fixed = true;
         track.value = bytes_.signed_varint();
     } else {
-        beats_ = BeatCursor::take(bytes_, beats_);
-        track.keys = {beats_, PackedValues::take(bytes_, beats_.count()), track.is_smooth};
+        key_times_ = KeyTimeCursor::take(bytes_, key_times_);
+        track.keys = {key_times_, PackedValues::take(bytes_, key_times_.count()), track.is_smooth};
     }
     return track;
 }

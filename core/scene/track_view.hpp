@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/scene/beat_cursor.hpp"
+#include "core/scene/key_time_cursor.hpp"
 #include "core/scene/packed_values.hpp"
 #include "core/scene/property.hpp"
 #include "core/time/time.hpp"
@@ -21,21 +21,21 @@ struct TrackKey {
 class TrackKeyCursor {
 public:
     TrackKeyCursor() = default;
-    TrackKeyCursor(const BeatCursor& beats, const PackedValues& values, bool is_smooth = false)
-        : beats_{beats}, values_{values}, is_smooth_{is_smooth}
+    TrackKeyCursor(const KeyTimeCursor& key_times, const PackedValues& values, bool is_smooth = false)
+        : key_times_{key_times}, values_{values}, is_smooth_{is_smooth}
     {
     }
 
-    bool at_end() const { return beats_.at_end(); }
+    bool at_end() const { return key_times_.at_end(); }
     /// Only when not at the end.
-    TrackKey next() { return at(beats_.next()); }
+    TrackKey next() { return at(key_times_.next()); }
     /// What has not been read.
-    const BeatCursor& beats() const { return beats_; }
+    const KeyTimeCursor& key_times() const { return key_times_; }
     const PackedValues& values() const { return values_; }
-    TrackKey at(const Beat& beat) const;
+    TrackKey at(const KeyTime& key_time) const;
 
 private:
-    BeatCursor beats_;
+    KeyTimeCursor key_times_;
     PackedValues values_;
     bool is_smooth_ = false;
 };
@@ -66,7 +66,7 @@ public:
 private:
     ByteReader bytes_;
     std::uint32_t left_ = 0;
-    BeatCursor beats_; ///< of the track before
+    KeyTimeCursor key_times_; ///< of the track before
 };
 
 }

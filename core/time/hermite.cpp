@@ -6,7 +6,7 @@ namespace {
 std::int32_t fine(std::int32_t value) { return value * (1 << fine_bits); }
 
 /// How far the slope of the line between `a` and `b` leads in the time from `from` to `to`, which lie within.
-std::int32_t rise(const KeyTime& a, const KeyTime& b, Time from, Time to)
+std::int32_t rise(const KeySample& a, const KeySample& b, Time from, Time to)
 {
     const auto part = static_cast<std::uint32_t>((to - from).ticks);
     const auto whole = static_cast<std::uint32_t>((b.time - a.time).ticks);

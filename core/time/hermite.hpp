@@ -13,7 +13,7 @@ namespace kfast {
 inline constexpr int fine_bits = 8;
 
 /// A value at a moment; |value| is at most 2^20.
-struct KeyTime {
+struct KeySample {
     Time time;
     std::int32_t value = 0;
 };
@@ -21,10 +21,10 @@ struct KeyTime {
 /// The keys around a moment: it lies at `from` or between `from` and `to`. The one before is `from` again if
 /// there is none, and the one after `to`. All are the same before the first key and from the last one on.
 struct HermiteSpan {
-    KeyTime before;
-    KeyTime from;
-    KeyTime to;
-    KeyTime after;
+    KeySample before;
+    KeySample from;
+    KeySample to;
+    KeySample after;
 };
 
 /// The value at `time` on the cubic Hermite curve from span.from to span.to, in 1/256 of the unit of the
@@ -42,12 +42,12 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
 {
     const auto next = [&keys] {
         const auto key = keys.next();
-        return KeyTime{key.time, key.value};
+        return KeySample{key.time, key.value};
     };
-    KeyTime before = next();
-    KeyTime from = before;
+    KeySample before = next();
+    KeySample from = before;
     while (!keys.at_end() && from.time <= time) {
-        const KeyTime to = next();
+        const KeySample to = next();
         if (to.time > time)
             return {before, from, to, keys.at_end() ? to : next()};
         before = from;
@@ -57,7 +57,7 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
 }
 
 /// Two values of keys, and how far the way from one to the other has come.
-struct Passage {
+struct KeySpan {
     std::int32_t from;
     std::int32_t to;
     Way way;
@@ -73,10 +73,10 @@ constexpr Fixed fine_pixels(std::int32_t fine)
 }
 
 /// Rounded to nearest, halves up, in 1/256 of the unit of the values.
-constexpr std::int32_t fine_value(const Passage& passage)
+constexpr std::int32_t fine_value(const KeySpan& key_span)
 {
-    return passage.from * (1 << fine_bits) +
-           multiply(passage.to - passage.from, passage.way.raw, 16 - fine_bits);
+    return key_span.from * (1 << fine_bits) +
+           multiply(key_span.to - key_span.from, key_span.way.raw, 16 - fine_bits);
 }
 
 }

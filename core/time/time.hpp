@@ -40,12 +40,12 @@ constexpr Time wrap(Time time, Time length, Loop loop)
 }
 
 /// What the moments of keys count: the time of the scene, or where one of its inputs stands.
-struct Clock {
+struct Driver {
     std::uint8_t input = 0; ///< 0: the time; else the number of the input, counted from 1
 
     constexpr bool is_time() const { return input == 0; }
-    friend constexpr bool operator==(Clock, Clock) = default;
-    friend constexpr auto operator<=>(Clock, Clock) = default;
+    friend constexpr bool operator==(Driver, Driver) = default;
+    friend constexpr auto operator<=>(Driver, Driver) = default;
 };
 
 /// Of the input `number`, where each has one, the first the lowest.
@@ -61,11 +61,11 @@ public:
     constexpr Moment(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
-    constexpr Time at(Clock clock) const
+    constexpr Time at(Driver driver) const
     {
-        if (clock.is_time())
+        if (driver.is_time())
             return time_;
-        return clock.input <= inputs_.size() ? inputs_[clock.input - 1U] : Time{};
+        return driver.input <= inputs_.size() ? inputs_[driver.input - 1U] : Time{};
     }
 
 private:

@@ -8,21 +8,21 @@ namespace {
 constexpr std::int32_t largest = 1 << 20;
 constexpr std::int32_t farthest = 1 << 30;
 
-class KeyTimeCursor {
+class KeySampleCursor {
 public:
-    explicit KeyTimeCursor(std::span<const KeyTime> keys) : keys_{keys} {}
+    explicit KeySampleCursor(std::span<const KeySample> keys) : keys_{keys} {}
 
     bool at_end() const { return keys_.empty(); }
 
-    KeyTime next()
+    KeySample next()
     {
-        const KeyTime key = keys_.front();
+        const KeySample key = keys_.front();
         keys_ = keys_.subspan(1);
         return key;
     }
 
 private:
-    std::span<const KeyTime> keys_;
+    std::span<const KeySample> keys_;
 };
 
 bool is_within(std::int32_t value, std::int32_t limit) { return value >= -limit && value <= limit; }
@@ -34,7 +34,7 @@ bool Track::add(Time time, std::int32_t value)
     if (!is_within(value, largest) || !is_within(time.ticks, farthest - 1))
         return false;
     const auto keys = storage_.first(count_);
-    const auto place = std::ranges::lower_bound(keys, time, {}, &KeyTime::time);
+    const auto place = std::ranges::lower_bound(keys, time, {}, &KeySample::time);
     if (place != keys.end() && place->time == time) {
         place->value = value;
         return true;
@@ -53,7 +53,7 @@ std::int32_t Track::value_at(Time time) const
 {
     if (count_ == 0)
         return 0;
-    return hermite(hermite_span_at(KeyTimeCursor{keys()}, time), time);
+    return hermite(hermite_span_at(KeySampleCursor{keys()}, time), time);
 }
 
 }

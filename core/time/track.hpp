@@ -13,7 +13,7 @@ namespace kfast {
 /// the first and behind the last (core/time/hermite.hpp). Keeps them in an array of the caller's, which must
 /// outlive it.
 ///
-///     std::array<KeyTime, 8> keys;
+///     std::array<KeySample, 8> keys;
 ///     Track height{keys};
 ///     height.add(Time::frame(30), 200);
 ///     height.add(Time::frame(0), 40);
@@ -21,7 +21,7 @@ namespace kfast {
 class Track {
 public:
     /// Begins without key times, whatever `storage` holds.
-    explicit Track(std::span<KeyTime> storage) : storage_{storage} {}
+    explicit Track(std::span<KeySample> storage) : storage_{storage} {}
 
     /// In any order; a key time that is there already gets the new value. False, and nothing is changed, if
     /// the array is full, |value| is more than 2^20, or `time` is 2^30 ticks or more away from 0.
@@ -30,7 +30,7 @@ public:
 
     std::size_t count() const { return count_; }
     /// In the order of their times.
-    std::span<const KeyTime> keys() const { return storage_.first(count_); }
+    std::span<const KeySample> keys() const { return storage_.first(count_); }
     /// Only if there is a key time.
     Time first_time() const { return storage_.front().time; }
     Time last_time() const { return storage_[count_ - 1].time; }
@@ -38,7 +38,7 @@ public:
     std::int32_t value_at(Time time) const;
 
 private:
-    std::span<KeyTime> storage_;
+    std::span<KeySample> storage_;
     std::size_t count_ = 0;
 };
 

@@ -87,8 +87,8 @@ constexpr bool is_valid(const VelocityLaw& law)
 Way progress(const VelocityLaw& law, Share time);
 
 struct WayRange {
-    Way least = {0};       ///< or below
-    Way most = {Way::one}; ///< or above
+    Way min = {0};        ///< or below
+    Way max = {Way::one}; ///< or above
 };
 
 /// A bound on the way, from -1.5 … 0 to 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve

@@ -11,7 +11,7 @@ using kfast::Time;
 
 int main()
 {
-    std::array<kfast::KeyTime, 8> memory;
+    std::array<kfast::KeySample, 8> memory;
     kfast::Track height{memory};
     height.add(Time::frame(0), 0);
     height.add(Time::frame(24), 0);

@@ -8,9 +8,9 @@
 namespace kfast {
 
 /// A text that is stored in place: at most `most` bytes of UTF-8, the rest 0.
-template <std::size_t most>
+template <std::size_t max>
 struct StoredText {
-    std::array<char, most> bytes{};
+    std::array<char, max> bytes{};
 
     constexpr StoredText() = default;
     /// `text` is no longer than `most`.

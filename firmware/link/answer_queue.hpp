@@ -11,26 +11,26 @@ namespace kfast::link {
 /// Reports that wait until the computer fetches them, the first first.
 class AnswerQueue {
 public:
-    static constexpr std::size_t most = 8;
+    static constexpr std::size_t max = 8;
 
     bool is_empty() const { return count_ == 0; }
-    bool is_full() const { return count_ == most; }
+    bool is_full() const { return count_ == max; }
 
     /// Only when it is not full.
-    void put(const Report& report) { reports_[(first_ + count_++) % most] = report; }
+    void put(const Report& report) { reports_[(first_ + count_++) % max] = report; }
 
     std::optional<Report> next()
     {
         if (is_empty())
             return std::nullopt;
         const std::size_t place = first_;
-        first_ = (first_ + 1) % most;
+        first_ = (first_ + 1) % max;
         --count_;
         return reports_[place];
     }
 
 private:
-    std::array<Report, most> reports_{};
+    std::array<Report, max> reports_{};
     std::size_t first_ = 0;
     std::size_t count_ = 0;
 };

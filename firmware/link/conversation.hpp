@@ -55,7 +55,7 @@ public:
     {
         look_at_computer();
         send_answers();
-        for (int left = most_reports; left > 0 && !stage_.is_changing(); --left) {
+        for (int left = max_reports; left > 0 && !stage_.is_changing(); --left) {
             const auto report = pipe_.take();
             if (!report)
                 break;
@@ -70,7 +70,7 @@ public:
 
 private:
     /// At once: whoever never stops asking does not keep the board from drawing.
-    static constexpr int most_reports = 8;
+    static constexpr int max_reports = 8;
 
     void look_at_computer()
     {

@@ -86,7 +86,7 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     { device.set_input(std::uint32_t{number}, time) } -> std::same_as<void>;
     /// UTF-8. `number` is one of playing().inputs. Fails with no_text where the input is none, and nothing_plays.
     { device.set_text(std::uint32_t{number}, text) } -> std::same_as<Status>;
-    /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (told_drawing.hpp).
+    /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (received_drawing.hpp).
     { device.tell(part) } -> std::same_as<Status>;
     /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
     { device.enter_boot_loader(now) } -> std::same_as<Status>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_drawing.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "firmware/link/input_message.hpp"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct DrawingPart {
     DrawingNumber which{};
     std::uint8_t part = 0;                ///< how many come before, modulo 256
     std::optional<std::uint16_t> count{}; ///< of the whole drawing; only with the last part
-    std::span<const LivePoint> points{};  ///< also pen_up; of the last part, with what is no part of it
+    std::span<const InputPoint> points{}; ///< also pen_up; of the last part, with what is no part of it
 };
 
 }

@@ -2,7 +2,7 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/math/point.hpp"
-#include "core/pose/live_drawing.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/time/time.hpp"
 #include "firmware/chip/span_writer.hpp"
 #include "firmware/chip/stored_text.hpp"
@@ -37,7 +37,7 @@ private:
     constexpr void write(std::uint32_t value) { to_.u32(value); }
     constexpr void write(std::int32_t value) { to_.u32(static_cast<std::uint32_t>(value)); }
     constexpr void write(Time time) { write(time.ticks); }
-    constexpr void write(LivePoint point)
+    constexpr void write(InputPoint point)
     {
         to_.u16(static_cast<std::uint16_t>(point.x));
         to_.u16(static_cast<std::uint16_t>(point.y));
@@ -47,8 +47,8 @@ private:
         to_.u16(static_cast<std::uint32_t>(size.width));
         to_.u16(static_cast<std::uint32_t>(size.height));
     }
-    template <std::size_t most>
-    constexpr void write(const StoredText<most>& text)
+    template <std::size_t max>
+    constexpr void write(const StoredText<max>& text)
     {
         write(text.bytes);
     }
@@ -75,7 +75,7 @@ class FieldReader {
 public:
     explicit FieldReader(std::span<const std::byte> bytes) : from_{bytes} {}
 
-    bool is_right() const { return is_right_; }
+    bool is_valid() const { return is_right_; }
 
     template <class... Fields>
     void operator()(Fields&... fields)
@@ -96,7 +96,7 @@ private:
     void read(std::uint32_t& value) { value = from_.u32(); }
     void read(std::int32_t& value) { value = static_cast<std::int32_t>(from_.u32()); }
     void read(Time& time) { read(time.ticks); }
-    void read(LivePoint& point)
+    void read(InputPoint& point)
     {
         point.x = static_cast<std::int16_t>(from_.u16());
         point.y = static_cast<std::int16_t>(from_.u16());
@@ -107,8 +107,8 @@ private:
         size.height = static_cast<int>(from_.u16());
     }
     /// What stands behind a 0 is no part of the text.
-    template <std::size_t most>
-    void read(StoredText<most>& text)
+    template <std::size_t max>
+    void read(StoredText<max>& text)
     {
         bool is_over = false;
         for (char& letter : text.bytes) {
@@ -183,7 +183,7 @@ std::optional<M> message_of(const Report& report)
     M message;
     FieldReader reader{report.payload()};
     M::fields(reader, message);
-    return reader.is_right() ? std::optional{message} : std::nullopt;
+    return reader.is_valid() ? std::optional{message} : std::nullopt;
 }
 
 }

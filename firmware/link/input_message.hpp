@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_drawing.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/time/time.hpp"
@@ -46,14 +46,14 @@ struct InputState {
     std::uint8_t input = 0;
     InputKind takes = InputKind::number;
     Name name{}; ///< its first 24 bytes, in whole letters
-    std::int32_t least = 0;
-    std::int32_t most = 0;
-    std::int32_t usual = 0; ///< until another is told
-    Time place{};           ///< where it stands: 0 … whole_input
+    std::int32_t min = 0;
+    std::int32_t max = 0;
+    std::int32_t default_value = 0; ///< until another is told
+    Time place{};                   ///< where it stands: 0 … whole_input
 
     static constexpr void fields(auto&& io, auto& it)
     {
-        io(it.input, it.takes, it.name, it.least, it.most, it.usual, it.place);
+        io(it.input, it.takes, it.name, it.min, it.max, it.default_value, it.place);
     }
 };
 
@@ -68,18 +68,18 @@ struct InputPlace {
 /// Where inputs of the scene that plays stand from now on.
 struct Inputs {
     static constexpr Kind kind = Kind::inputs;
-    static constexpr std::size_t most = 12;
+    static constexpr std::size_t max = 12;
     std::uint8_t count = 0;
-    std::array<InputPlace, most> places{};
+    std::array<InputPlace, max> places{};
 
     /// Whether there are no more than `most`, and each has a place that an input can have. Their numbers may
     /// still be none of the scene's.
-    constexpr bool is_sound() const
+    constexpr bool is_valid() const
     {
         const auto is_place = [](const InputPlace& each) {
             return each.place >= Time{0} && each.place <= whole_input;
         };
-        return count <= most && std::ranges::all_of(std::span{places}.first(count), is_place);
+        return count <= max && std::ranges::all_of(std::span{places}.first(count), is_place);
     }
 
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
@@ -88,10 +88,10 @@ struct Inputs {
 /// What a text among the inputs of the scene that plays is from now on.
 struct Text {
     static constexpr Kind kind = Kind::text;
-    static constexpr std::size_t most = payload_bytes - 2;
-    std::uint8_t input = 0;              ///< its number in the scene
-    std::uint8_t length = 0;             ///< bytes
-    std::array<std::byte, most> bytes{}; ///< in UTF-8
+    static constexpr std::size_t max = payload_bytes - 2;
+    std::uint8_t input = 0;             ///< its number in the scene
+    std::uint8_t length = 0;            ///< bytes
+    std::array<std::byte, max> bytes{}; ///< in UTF-8
 
     /// `length` is at most `most`.
     std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
@@ -121,15 +121,15 @@ struct DrawingNumber {
 static_assert(kfb::max_inputs * DrawingNumber::count == 256);
 
 /// In place of a point: the next one begins a stroke.
-inline constexpr LivePoint pen_up{std::numeric_limits<std::int16_t>::min(), 0};
+inline constexpr InputPoint pen_up{std::numeric_limits<std::int16_t>::min(), 0};
 
 /// Of a drawing, in their order: part 0 begins it.
 struct Points {
     static constexpr Kind kind = Kind::points;
-    static constexpr std::size_t most = 15;
+    static constexpr std::size_t max = 15;
     std::uint8_t which = 0; ///< DrawingNumber
     std::uint8_t part = 0;  ///< how many come before, modulo 256
-    std::array<LivePoint, most> points{};
+    std::array<InputPoint, max> points{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.points); }
 };
@@ -137,11 +137,11 @@ struct Points {
 /// The last points of a drawing, which is to be shown.
 struct Drawing {
     static constexpr Kind kind = Kind::drawing;
-    static constexpr std::size_t most = 14;
+    static constexpr std::size_t max = 14;
     std::uint8_t which = 0;  ///< DrawingNumber
     std::uint8_t part = 0;   ///< how many come before, modulo 256
     std::uint16_t count = 0; ///< of all points of the drawing and of what stands in place of one
-    std::array<LivePoint, most> points{};
+    std::array<InputPoint, max> points{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.count, it.points); }
 };
@@ -149,7 +149,7 @@ struct Drawing {
 /// How many reports a drawing with so many points, and what stands in place of one, takes.
 constexpr std::size_t reports_of_drawing(std::size_t count)
 {
-    return count <= Drawing::most ? 1 : 1 + (count - Drawing::most + Points::most - 1) / Points::most;
+    return count <= Drawing::max ? 1 : 1 + (count - Drawing::max + Points::max - 1) / Points::max;
 }
 
 }

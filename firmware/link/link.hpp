@@ -337,7 +337,7 @@ private:
     /// All of them, or none.
     Deed<Kind::inputs> carry_out(const Inputs& inputs, Asked)
     {
-        if (!inputs.is_sound())
+        if (!inputs.is_valid())
             return Status::bad_value;
         const auto places = std::span{inputs.places}.first(inputs.count);
         for (const InputPlace& each : places)
@@ -350,7 +350,7 @@ private:
 
     Deed<Kind::text> carry_out(const Text& text, Asked)
     {
-        if (text.length > Text::most)
+        if (text.length > Text::max)
             return Status::bad_value;
         if (const Verdict verdict = look_for_input(text.input); !verdict.is_ok())
             return verdict;

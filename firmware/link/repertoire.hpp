@@ -82,9 +82,9 @@ private:
         const auto scene = SceneView::parse(programme.scene, every_feature_but_outlines);
         if (!scene)
             return status_of(scene.error());
-        const Name usual = device_.facts().start_clip;
-        if (programme.clip.view().empty() && scene->clip(usual.view()))
-            programme.clip = usual;
+        const Name default_value = device_.facts().start_clip;
+        if (programme.clip.view().empty() && scene->clip(default_value.view()))
+            programme.clip = default_value;
         return play(programme, *scene);
     }
 

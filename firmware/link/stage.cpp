@@ -1,6 +1,6 @@
 #include "firmware/link/stage.hpp"
 
-#include "firmware/link/told_drawing.hpp"
+#include "firmware/link/received_drawing.hpp"
 
 #include "core/beam/beam_player.hpp"
 #include "core/player.hpp"
@@ -19,11 +19,11 @@ constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 
 /// As much of a text as a name holds, in whole letters of UTF-8.
 Name beginning_of(std::string_view text)
 {
-    constexpr std::size_t most = std::tuple_size_v<decltype(Name::bytes)>;
-    if (text.size() <= most)
+    constexpr std::size_t max = std::tuple_size_v<decltype(Name::bytes)>;
+    if (text.size() <= max)
         return {text};
     const auto continues_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
-    std::size_t size = most;
+    std::size_t size = max;
     while (size > 0 && continues_letter(text[size]))
         --size;
     return {text.substr(0, size)};
@@ -90,9 +90,9 @@ InputState Stage::input(std::uint8_t number) const
     return {.input = number,
             .takes = input_kind(input.type),
             .name = beginning_of(input.name),
-            .least = input.least,
-            .most = is_text ? static_cast<std::int32_t>(input.text.most) : input.most,
-            .usual = input.usual,
+            .min = input.min,
+            .max = is_text ? static_cast<std::int32_t>(input.text.max) : input.max,
+            .default_value = input.default_value,
             .place = place_of(number, input)};
 }
 
@@ -100,7 +100,7 @@ Time Stage::place_of(std::uint32_t number, const InputView& input) const
 {
     const auto placed = controls_->inputs();
     const auto found = std::ranges::find(placed, number, &PlacedInput::number);
-    return found == placed.end() ? input.place_of(input.usual) : found->place;
+    return found == placed.end() ? input.place_of(input.default_value) : found->place;
 }
 
 std::span<const std::byte> Stage::played() const

@@ -2,7 +2,7 @@
 
 #include "core/bytes/result.hpp"
 #include "core/playhead.hpp"
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene/scene_view.hpp"
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/device.hpp"
@@ -99,7 +99,7 @@ public:
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);
     /// Null when it is over.
-    void plays(LiveScene* player) { player_ = player; }
+    void plays(SceneState* player) { player_ = player; }
     Playhead playhead() const { return controls_->playhead(); }
     template <TouchedPins Pins>
     void steer(Playhead& playhead, Pins& pins, Microseconds now)
@@ -158,7 +158,7 @@ private:
     std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
     std::span<std::byte> lent_{};      ///< of the block
     std::optional<Controls> controls_; ///< of what plays now, or played last
-    LiveScene* player_ = nullptr;      ///< likewise, as long as it draws
+    SceneState* player_ = nullptr;     ///< likewise, as long as it draws
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last

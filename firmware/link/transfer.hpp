@@ -27,7 +27,7 @@ public:
     /// How long the next block may take.
     static constexpr Microseconds patience{3'000'000};
 
-    /// A new one, whatever was before. Of at most most_blocks.
+    /// A new one, whatever was before. Of at most max_blocks.
     void begin(const Begin& what, std::uint8_t tag, Microseconds now);
     /// There is none any more, nor has there been.
     void forget() { *this = {}; }

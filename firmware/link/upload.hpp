@@ -168,7 +168,7 @@ private:
 
     Verdict make_room(const Begin& what)
     {
-        if (what.size == 0 || blocks_of(what.size) > most_blocks)
+        if (what.size == 0 || blocks_of(what.size) > max_blocks)
             return Status::bad_value;
         switch (what.home) {
         case Home::slot:
@@ -187,8 +187,8 @@ private:
 
     Verdict make_room_in_ram(std::uint32_t size)
     {
-        if (const std::uint32_t most = device_.facts().ram_bytes; size > most)
-            return {Status::too_large, most};
+        if (const std::uint32_t max = device_.facts().ram_bytes; size > max)
+            return {Status::too_large, max};
         ram_scene_ = {};
         committed_.reset();
         ram_ = RamSink{device_.lend_ram(size)};

@@ -13,7 +13,7 @@ namespace kfast::link {
 /// Bytes of the scene in a data report; only the last has fewer.
 inline constexpr std::size_t block_bytes = payload_bytes - 2;
 /// The numbers of blocks have 16 bits, and that behind the last is one, too.
-inline constexpr std::uint32_t most_blocks = 0xFFFF;
+inline constexpr std::uint32_t max_blocks = 0xFFFF;
 constexpr std::uint32_t blocks_of(std::uint32_t bytes)
 {
     constexpr std::uint32_t each{block_bytes};

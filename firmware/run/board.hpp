@@ -21,7 +21,7 @@
 
 namespace kfast {
 
-class LiveScene;
+class SceneState;
 
 /// What the run loop tells a board about a frame.
 struct FrameReport {
@@ -125,7 +125,7 @@ concept InputBoard = Board<B> && requires(B& board) {
 /// A board that is told drawings and texts of the scene while it plays. It knows the player from the moment in which it
 /// is ready until it is over: then it is null.
 template <class B>
-concept ToldBoard = Board<B> && requires(B& board, LiveScene* player) {
+concept LiveInputBoard = Board<B> && requires(B& board, SceneState* player) {
     { board.plays(player) } -> std::same_as<void>;
 };
 

@@ -17,7 +17,7 @@ namespace kfast {
 /// shows when it has nothing to play.
 class Card {
 public:
-    static constexpr std::size_t most_lines = 12;
+    static constexpr std::size_t max_lines = 12;
     /// From line to line, in blocks: the letters and one below them.
     static constexpr int line_height = small_font::letter_height + 1;
 
@@ -55,7 +55,7 @@ private:
     };
 
     Size panel_;
-    std::array<Line, most_lines> lines_{};
+    std::array<Line, max_lines> lines_{};
     std::size_t line_count_ = 0;
 };
 

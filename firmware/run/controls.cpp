@@ -51,10 +51,10 @@ void Controls::follow(const Controls& before)
     brightness_ = before.brightness_;
 }
 
-Stretch Controls::stretch_named(const StoredName& clip) const
+PlayRange Controls::stretch_named(const StoredName& clip) const
 {
     const auto found = clip.view().empty() ? std::nullopt : scene_.clip(clip.view());
-    return found ? stretch_of(*found) : stretch_of(scene_);
+    return found ? play_range_of(*found) : play_range_of(scene_);
 }
 
 Playhead Controls::playhead_of(const StoredName& clip) const
@@ -156,7 +156,7 @@ void Controls::play(const StoredName& clip, Playhead& playhead)
 /// A button's clip goes first: the knob's place is taken up when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
-    Stretch stretch = stretch_named(touch.control.name);
+    PlayRange stretch = stretch_named(touch.control.name);
     stretch.loop = Loop::once; // or the end would look like the beginning
     Playhead placed{stretch, scene_.events()};
     placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *

@@ -124,7 +124,7 @@ private:
         int level = untouched;  ///< of a knob when it last did something
     };
 
-    Stretch stretch_named(const StoredName& clip) const;
+    PlayRange stretch_named(const StoredName& clip) const;
     Playhead playhead_of(const StoredName& clip) const;
     static bool has_switched(Touch& touch, bool pressed, Microseconds now);
     static bool is_turned(Touch& touch, int level);
@@ -143,7 +143,7 @@ private:
 
     SceneView scene_;
     StoredName start_;
-    std::array<Touch, BoardSettings::most_controls> touches_;
+    std::array<Touch, BoardSettings::max_controls> touches_;
     std::array<PlacedInput, kfb::max_inputs> inputs_;
     std::size_t input_count_ = 0;                ///< of inputs_
     std::optional<Playhead> before_;             ///< what was played before a button's clip

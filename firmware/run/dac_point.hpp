@@ -11,7 +11,7 @@ namespace kfast {
 /// A place of 65536 units of the field in 12 bits: 0 is its least end.
 constexpr std::uint32_t dac_level(std::int16_t place)
 {
-    return static_cast<std::uint32_t>(place - field_least) >> 4;
+    return static_cast<std::uint32_t>(place - field_min) >> 4;
 }
 
 /// How bright a point is, 0 … 255; 0: the beam is dark.

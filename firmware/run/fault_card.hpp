@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_lines = Card::most_lines - 1;
+    static constexpr std::size_t max_lines = Card::max_lines - 1;
 
     /// Of one or two digits.
     static constexpr std::array<char, 3> number_of(Error error)
@@ -66,7 +66,7 @@ private:
     int add_words(std::string_view words)
     {
         const Size panel = card_.panel();
-        std::array<std::string_view, most_lines> lines;
+        std::array<std::string_view, max_lines> lines;
         for (int scale = panel.height / 2 / Card::line_height; scale > 0; --scale) {
             const int columns = (panel.width + scale) / (small_font::advance * scale);
             const std::size_t count = wrap(words, static_cast<std::size_t>(columns), lines);

@@ -121,10 +121,10 @@ template <Board B>
         return refuse(board, player.error());
 
     board.scene_started(scene);
-    if constexpr (ToldBoard<B>)
+    if constexpr (LiveInputBoard<B>)
         board.plays(&*player);
     play(board, *player, playhead_for(board, scene), {scene.frame_rate(), board.now()});
-    if constexpr (ToldBoard<B>)
+    if constexpr (LiveInputBoard<B>)
         board.plays(nullptr);
 }
 

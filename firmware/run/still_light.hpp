@@ -10,7 +10,7 @@ namespace kfast {
 class StillLight {
 public:
     /// So many points in a row may shine in one place.
-    explicit StillLight(std::uint32_t most) : most_{most} {}
+    explicit StillLight(std::uint32_t max) : max_{max} {}
 
     /// The next point, dark if the beam has stayed for too long.
     std::uint32_t passed(std::uint32_t point)
@@ -23,7 +23,7 @@ public:
         }
         if (is_lit(point))
             ++shining_;
-        return shining_ > most_ ? place_ : point;
+        return shining_ > max_ ? place_ : point;
     }
 
     /// All of a picture has passed, and another one begins. One that stays in one place shines for ever once
@@ -40,7 +40,7 @@ private:
     static constexpr std::uint32_t place_of(std::uint32_t point) { return point & 0x00FF'FFFF; }
     static constexpr bool is_lit(std::uint32_t point) { return point >> 24 != 0; }
 
-    std::uint32_t most_;
+    std::uint32_t max_;
     std::uint32_t place_ = 0;
     std::uint32_t shining_ = 0;
     std::uint32_t places_ = 0; ///< of the picture, until now

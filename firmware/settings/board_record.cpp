@@ -45,7 +45,7 @@ class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_{bytes} {}
 
-    bool is_right() const { return is_right_; }
+    bool is_valid() const { return is_right_; }
 
     std::uint32_t u8() { return bytes_.u8(); }
     int u16() { return static_cast<int>(bytes_.u16()); }
@@ -130,7 +130,7 @@ void write_beam(const BeamProfile& beam, Writer& writer)
     writer.u16(beam.lit_step);
     writer.u16(beam.travel_step);
     for (const std::uint8_t number : {beam.corner_dwell, beam.lit_dwell, beam.arrival_dwell, beam.leave_dwell,
-                                      beam.light_delay, beam.least_refresh})
+                                      beam.light_delay, beam.min_refresh})
         writer.u8(number);
     writer.u16(beam.resolution);
     writer.number_of(beam.brightness);
@@ -146,7 +146,7 @@ BeamProfile read_beam(Reader& reader)
     for (std::uint16_t* number : {&beam.lit_step, &beam.travel_step})
         *number = static_cast<std::uint16_t>(reader.u16());
     for (std::uint8_t* number : {&beam.corner_dwell, &beam.lit_dwell, &beam.arrival_dwell, &beam.leave_dwell,
-                                 &beam.light_delay, &beam.least_refresh})
+                                 &beam.light_delay, &beam.min_refresh})
         *number = static_cast<std::uint8_t>(reader.u8());
     beam.resolution = static_cast<std::uint16_t>(reader.u16());
     beam.brightness = reader.one_of(BeamBrightness::by_speed);
@@ -250,7 +250,7 @@ std::optional<BoardSettings> read_board_record(std::span<const std::byte> bytes)
         return std::nullopt;
     Reader reader{bytes.subspan(header_bytes)};
     const BoardSettings settings = read_fields(reader, version);
-    return reader.is_right() ? std::optional{settings} : std::nullopt;
+    return reader.is_valid() ? std::optional{settings} : std::nullopt;
 }
 
 }

@@ -35,8 +35,8 @@ constexpr PinRow pins_of(const BoardSettings& settings, PinUser user)
 
 /// Hz.
 struct ClockRange {
-    std::uint32_t least;
-    std::uint32_t most;
+    std::uint32_t min;
+    std::uint32_t max;
 };
 
 /// What a Pico can make, and no less than displays bear: 66 ns are the shortest write cycle of all parallel
@@ -44,7 +44,7 @@ struct ClockRange {
 /// (boards/pico/panel/bus_rates.hpp).
 constexpr ClockRange clock_range(BusKind bus)
 {
-    constexpr std::uint32_t chip = rp2040::usual_hz;
+    constexpr std::uint32_t chip = rp2040::default_hz;
     if (bus == BusKind::dac)
         return {chip / (rp2040::DacBit::longest * 65'535) + 1, 20'000'000};
     if (bus == BusKind::spi)
@@ -98,8 +98,8 @@ constexpr MaybeMistake glass_beyond_memory(const BoardSettings& settings)
         return std::nullopt;
     const PanelSettings& panel = settings.panel;
     const Size memory = facts_of(panel.controller).memory;
-    constexpr auto lies_within = [](int begin, int length, int most) {
-        return begin >= 0 && begin <= most && length > 0 && length <= most - begin;
+    constexpr auto lies_within = [](int begin, int length, int max) {
+        return begin >= 0 && begin <= max && length > 0 && length <= max - begin;
     };
     if (lies_within(panel.column, panel.glass.width, memory.width) &&
         lies_within(panel.row, panel.glass.height, memory.height))
@@ -139,14 +139,14 @@ constexpr MaybeMistake rotation_not_done(const BoardSettings& settings)
 
 constexpr MaybeMistake clock_too_fast(const BoardSettings& settings)
 {
-    if (settings.bus_clock <= clock_range(settings.bus).most)
+    if (settings.bus_clock <= clock_range(settings.bus).max)
         return std::nullopt;
     return SettingsMistake{SettingsFault::clock_too_fast, PinRole::clock};
 }
 
 constexpr MaybeMistake clock_too_slow(const BoardSettings& settings)
 {
-    if (settings.bus_clock >= clock_range(settings.bus).least)
+    if (settings.bus_clock >= clock_range(settings.bus).min)
         return std::nullopt;
     return SettingsMistake{SettingsFault::clock_too_slow, PinRole::clock};
 }
@@ -282,8 +282,8 @@ constexpr MaybeMistake beam_beyond_limits(const BoardSettings& settings)
 constexpr MaybeMistake beam_too_fast(const BoardSettings& settings)
 {
     const ClockRange clocks = clock_range(BusKind::dac);
-    if (!leads_beam(settings.bus) || settings.bus_clock < clocks.least || settings.bus_clock > clocks.most ||
-        settings.beam.rate <= rp2040::most_points(settings.bus_clock))
+    if (!leads_beam(settings.bus) || settings.bus_clock < clocks.min || settings.bus_clock > clocks.max ||
+        settings.beam.rate <= rp2040::max_points(settings.bus_clock))
         return std::nullopt;
     return SettingsMistake{SettingsFault::beam_too_fast, PinRole::clock};
 }

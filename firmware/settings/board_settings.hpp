@@ -108,7 +108,7 @@ struct Control {
 /// Everything about one gadget that its firmware does not know by itself: the display, the wires, what can be
 /// touched. It lies in a sector of flash (board_record.hpp), so that nobody needs a compiler to move a wire.
 struct BoardSettings {
-    static constexpr std::size_t most_controls = 8;
+    static constexpr std::size_t max_controls = 8;
 
     PanelSettings panel; ///< unless the bus leads a beam
     BeamProfile beam;    ///< if the bus leads a beam
@@ -119,7 +119,7 @@ struct BoardSettings {
     std::uint8_t i2c_address = 0x3C;                         ///< seven bits
     std::array<Pin, pin_role_names.size()> pins = no_pins(); ///< in the order of PinRole
     StoredName clip;                                         ///< played when nothing is touched; empty: all
-    std::array<Control, most_controls> controls{};
+    std::array<Control, max_controls> controls{};
 
     constexpr Pin pin(PinRole role) const { return pins[static_cast<std::size_t>(role)]; }
     constexpr Pin& pin(PinRole role) { return pins[static_cast<std::size_t>(role)]; }

@@ -12,9 +12,9 @@ namespace kfast {
 
 /// What one must know of a display controller before anything is sent to it.
 struct ControllerFacts {
-    PanelSettings usual;  ///< the module that most people have
-    Size memory;          ///< pixels that it keeps; a glass lies within
-    bool turns_across;    ///< whether it can turn pictures by quarters; all can turn them by halves
+    PanelSettings default_value; ///< the module that most people have
+    Size memory;                 ///< pixels that it keeps; a glass lies within
+    bool turns_across;           ///< whether it can turn pictures by quarters; all can turn them by halves
     PixelFormat format;   ///< of the picture; 16-bit colours are rgb565 or rgb565_be as the bus likes them
     Size granularity;     ///< places and sizes of areas are multiples of it
     int window_bytes;     ///< what an area costs on the bus besides its pixels
@@ -35,16 +35,17 @@ inline constexpr int dcs_window_bytes = 5 + 5 + 1;
 /// on somebody's desk is not rated for it.
 // The type is written out because g++ 12 keeps in RAM what it has deduced.
 inline constexpr std::array<ControllerFacts, controller_names.size()> controller_facts{
-    ControllerFacts{.usual = {.controller = Controller::st7789, .glass = {240, 240}, .inverted = true},
-                    .memory = {240, 320},
-                    .turns_across = true,
-                    .format = PixelFormat::rgb565,
-                    .granularity = {1, 1},
-                    .window_bytes = dcs_window_bytes,
-                    .spi_hz = 62'500'000,
-                    .parallel_hz = 15'150'000,
-                    .i2c_hz = 0},
-    ControllerFacts{.usual = {.controller = Controller::ili9341, .glass = {240, 320}, .bgr = true},
+    ControllerFacts{
+        .default_value = {.controller = Controller::st7789, .glass = {240, 240}, .inverted = true},
+        .memory = {240, 320},
+        .turns_across = true,
+        .format = PixelFormat::rgb565,
+        .granularity = {1, 1},
+        .window_bytes = dcs_window_bytes,
+        .spi_hz = 62'500'000,
+        .parallel_hz = 15'150'000,
+        .i2c_hz = 0},
+    ControllerFacts{.default_value = {.controller = Controller::ili9341, .glass = {240, 320}, .bgr = true},
                     .memory = {240, 320},
                     .turns_across = true,
                     .format = PixelFormat::rgb565,
@@ -54,7 +55,8 @@ inline constexpr std::array<ControllerFacts, controller_names.size()> controller
                     .parallel_hz = 15'150'000,
                     .i2c_hz = 0},
     ControllerFacts{
-        .usual = {.controller = Controller::st7735, .glass = {128, 160}, .column = 2, .row = 1, .bgr = true},
+        .default_value =
+            {.controller = Controller::st7735, .glass = {128, 160}, .column = 2, .row = 1, .bgr = true},
         .memory = {132, 162},
         .turns_across = true,
         .format = PixelFormat::rgb565,
@@ -63,17 +65,19 @@ inline constexpr std::array<ControllerFacts, controller_names.size()> controller
         .spi_hz = 15'150'000,
         .parallel_hz = 15'150'000,
         .i2c_hz = 0},
-    ControllerFacts{
-        .usual = {.controller = Controller::gc9a01, .glass = {240, 240}, .bgr = true, .inverted = true},
-        .memory = {240, 240},
-        .turns_across = true,
-        .format = PixelFormat::rgb565,
-        .granularity = {1, 1},
-        .window_bytes = dcs_window_bytes,
-        .spi_hz = 100'000'000, // as others tell: the maker's table was not at hand
-        .parallel_hz = 0,
-        .i2c_hz = 0},
-    ControllerFacts{.usual = {.controller = Controller::ssd1306, .glass = {128, 64}},
+    ControllerFacts{.default_value = {.controller = Controller::gc9a01,
+                                      .glass = {240, 240},
+                                      .bgr = true,
+                                      .inverted = true},
+                    .memory = {240, 240},
+                    .turns_across = true,
+                    .format = PixelFormat::rgb565,
+                    .granularity = {1, 1},
+                    .window_bytes = dcs_window_bytes,
+                    .spi_hz = 100'000'000, // as others tell: the maker's table was not at hand
+                    .parallel_hz = 0,
+                    .i2c_hz = 0},
+    ControllerFacts{.default_value = {.controller = Controller::ssd1306, .glass = {128, 64}},
                     .memory = {128, 64},
                     .turns_across = false,
                     .format = PixelFormat::mono1,
@@ -82,7 +86,7 @@ inline constexpr std::array<ControllerFacts, controller_names.size()> controller
                     .spi_hz = 10'000'000,
                     .parallel_hz = 0,
                     .i2c_hz = 400'000},
-    ControllerFacts{.usual = {.controller = Controller::ssd1351, .glass = {128, 128}},
+    ControllerFacts{.default_value = {.controller = Controller::ssd1351, .glass = {128, 128}},
                     .memory = {128, 128},
                     .turns_across = true,
                     .format = PixelFormat::rgb565,
@@ -91,7 +95,7 @@ inline constexpr std::array<ControllerFacts, controller_names.size()> controller
                     .spi_hz = 20'000'000,
                     .parallel_hz = 0,
                     .i2c_hz = 0},
-    ControllerFacts{.usual = {.controller = Controller::ssd0323, .glass = {128, 64}},
+    ControllerFacts{.default_value = {.controller = Controller::ssd0323, .glass = {128, 64}},
                     .memory = {128, 80},
                     .turns_across = false,
                     .format = PixelFormat::grey4,
@@ -108,7 +112,7 @@ constexpr const ControllerFacts& facts_of(Controller controller)
 }
 
 static_assert(std::ranges::all_of(controller_facts, [](const ControllerFacts& facts) {
-    return &facts == &facts_of(facts.usual.controller);
+    return &facts == &facts_of(facts.default_value.controller);
 }));
 
 }

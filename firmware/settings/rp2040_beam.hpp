@@ -11,7 +11,7 @@
 namespace kfast::rp2040 {
 
 /// Of the processor and the state machines, Hz.
-inline constexpr std::uint32_t usual_hz = 125'000'000;
+inline constexpr std::uint32_t default_hz = 125'000'000;
 
 /// One bit on the way to the converters, in cycles of the state machine, each of which takes `divisor` cycles
 /// of the chip.
@@ -23,13 +23,13 @@ struct DacBit {
     std::uint32_t high;    ///< the data is taken at its beginning
 
     constexpr std::uint32_t cycles() const { return low + high; }
-    constexpr std::uint32_t hz() const { return usual_hz / (divisor * cycles()); }
+    constexpr std::uint32_t hz() const { return default_hz / (divisor * cycles()); }
 };
 
 /// The next one that is no faster than `hz`, which lies within clock_range(BusKind::dac).
 constexpr DacBit dac_bit(std::uint32_t hz)
 {
-    const std::uint32_t chip_cycles = (usual_hz + hz - 1) / hz;
+    const std::uint32_t chip_cycles = (default_hz + hz - 1) / hz;
     const std::uint32_t divisor = (chip_cycles + DacBit::longest - 1) / DacBit::longest;
     const std::uint32_t cycles = (chip_cycles + divisor - 1) / divisor;
     return {divisor, cycles - cycles / 2, cycles / 2};
@@ -45,12 +45,12 @@ constexpr std::uint32_t cycles_to_send(const DacBit& bit)
 }
 
 /// From point to point, so that no more than `rate` are shown in a second. `rate` is not 0.
-constexpr std::uint32_t cycles_per_point(std::uint32_t rate) { return (usual_hz + rate - 1) / rate; }
+constexpr std::uint32_t cycles_per_point(std::uint32_t rate) { return (default_hz + rate - 1) / rate; }
 
 /// Points in a second that the wires can carry.
-constexpr std::uint32_t most_points(std::uint32_t bus_clock)
+constexpr std::uint32_t max_points(std::uint32_t bus_clock)
 {
-    return usual_hz / cycles_to_send(dac_bit(bus_clock));
+    return default_hz / cycles_to_send(dac_bit(bus_clock));
 }
 
 }

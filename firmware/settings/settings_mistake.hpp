@@ -62,7 +62,7 @@ constexpr std::string_view settings_fault_text(SettingsFault fault)
 /// Somebody who needs a pin: a role, or one of the controls.
 class PinUser {
 public:
-    static constexpr std::size_t count = pin_role_names.size() + BoardSettings::most_controls;
+    static constexpr std::size_t count = pin_role_names.size() + BoardSettings::max_controls;
 
     constexpr PinUser(PinRole role) : number_{static_cast<std::size_t>(role)} {}
     static constexpr PinUser of_control(std::size_t index) { return PinUser{pin_role_names.size() + index}; }

@@ -28,17 +28,17 @@ public:
     Inflation& operator=(const Inflation&) = delete;
 
     /// Of all members, one behind the other.
-    std::string content(std::size_t most_bytes)
+    std::string content(std::size_t max_bytes)
     {
         std::string all;
         do
-            add_member(all, most_bytes);
+            add_member(all, max_bytes);
         while (goes_on());
         return all;
     }
 
 private:
-    void add_member(std::string& all, std::size_t most_bytes)
+    void add_member(std::string& all, std::size_t max_bytes)
     {
         for (int status = Z_OK; status != Z_STREAM_END;) {
             stream_.next_out = reinterpret_cast<Bytef*>(block_.data());
@@ -49,8 +49,8 @@ private:
             if (status != Z_OK && status != Z_STREAM_END)
                 throw Failure(name_ + ": the packed file is damaged: copy it again");
             all.append(block_.data(), block_.size() - stream_.avail_out);
-            if (all.size() > most_bytes)
-                throw Failure(name_ + ": holds more than " + std::to_string(most_bytes >> 20) +
+            if (all.size() > max_bytes)
+                throw Failure(name_ + ": holds more than " + std::to_string(max_bytes >> 20) +
                               " MB: is it the right file?");
         }
     }
@@ -71,9 +71,9 @@ private:
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"sv); }
 
-std::string gunzipped(const std::string& name, std::string_view bytes, std::size_t most_bytes)
+std::string gunzipped(const std::string& name, std::string_view bytes, std::size_t max_bytes)
 {
-    return Inflation{name, bytes}.content(most_bytes);
+    return Inflation{name, bytes}.content(max_bytes);
 }
 
 }

@@ -10,7 +10,7 @@ namespace kfast::archive {
 bool is_gzip(std::string_view bytes);
 
 /// What a gzip file holds. Throws Failure, which names the file, when it is damaged, breaks off, or holds
-/// more than `most_bytes`; never uses much more memory than that.
-std::string gunzipped(const std::string& name, std::string_view bytes, std::size_t most_bytes);
+/// more than `max_bytes`; never uses much more memory than that.
+std::string gunzipped(const std::string& name, std::string_view bytes, std::size_t max_bytes);
 
 }

@@ -58,8 +58,8 @@ ZipFile::ZipFile(std::string name, std::string_view bytes)
     : name_{std::move(name)}, archive_{opened(name_, bytes)}
 {
     const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-    if (std::cmp_greater(count, most_members))
-        throw Failure(name_ + ": holds more than " + std::to_string(most_members) +
+    if (std::cmp_greater(count, max_members))
+        throw Failure(name_ + ": holds more than " + std::to_string(max_members) +
                       " files: is it the right file?");
     for (zip_int64_t index = 0; index < count; ++index) {
         const char* const path = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(index), 0);
@@ -69,7 +69,7 @@ ZipFile::ZipFile(std::string name, std::string_view bytes)
 
 bool ZipFile::has(std::string_view path) const { return std::ranges::find(members_, path) != members_.end(); }
 
-std::string ZipFile::content(std::string_view path, std::size_t most_bytes) const
+std::string ZipFile::content(std::string_view path, std::size_t max_bytes) const
 {
     const auto place = std::ranges::find(members_, path);
     const std::string called = name_ + ": " + std::string{path};
@@ -82,7 +82,7 @@ std::string ZipFile::content(std::string_view path, std::size_t most_bytes) cons
 
     std::string all;
     std::array<char, 65536> block{};
-    while (all.size() <= most_bytes) {
+    while (all.size() <= max_bytes) {
         const zip_int64_t count = zip_fread(member.get(), block.data(), block.size());
         if (count < 0)
             throw Failure(called + ' ' + in_words(zip_file_get_error(member.get())));
@@ -90,7 +90,7 @@ std::string ZipFile::content(std::string_view path, std::size_t most_bytes) cons
             return all;
         all.append(block.data(), static_cast<std::size_t>(count));
     }
-    throw Failure(called + " is larger than " + std::to_string(most_bytes >> 20) +
+    throw Failure(called + " is larger than " + std::to_string(max_bytes >> 20) +
                   " MB: is it the right file?");
 }
 

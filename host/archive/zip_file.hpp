@@ -16,9 +16,9 @@ bool is_zip(std::string_view bytes);
 /// Reads a zip file in memory. All members throw Failure, which names the file.
 class ZipFile {
 public:
-    static constexpr std::size_t most_members = 4096;
+    static constexpr std::size_t max_members = 4096;
 
-    /// `bytes` must outlive it. Throws when they are no zip file, damaged, or hold more than `most_members`.
+    /// `bytes` must outlive it. Throws when they are no zip file, damaged, or hold more than `max_members`.
     ZipFile(std::string name, std::string_view bytes);
 
     /// Their paths, in the order of the file.
@@ -26,8 +26,8 @@ public:
     bool has(std::string_view path) const;
 
     /// Throws when there is none of that path, it is encrypted, packed in a way that is not known, damaged,
-    /// or larger than `most_bytes`, whatever the file says of its size.
-    std::string content(std::string_view path, std::size_t most_bytes) const;
+    /// or larger than `max_bytes`, whatever the file says of its size.
+    std::string content(std::string_view path, std::size_t max_bytes) const;
 
 private:
     struct Close {

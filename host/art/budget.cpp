@@ -7,22 +7,22 @@
 namespace kfast::art {
 namespace {
 
-void take(std::size_t& taken, std::size_t count, std::size_t most, const char* noun)
+void take(std::size_t& taken, std::size_t count, std::size_t max, const char* noun)
 {
-    if (count > most - taken)
-        throw Failure("more than " + std::to_string(most) + ' ' + noun +
+    if (count > max - taken)
+        throw Failure("more than " + std::to_string(max) + ' ' + noun +
                       ", parts counted wherever they are used: take something out of the file");
     taken += count;
 }
 
 }
 
-void Budget::take_node() { take(nodes_, 1, most_nodes, "layers, groups and shapes"); }
-void Budget::take_points(std::size_t count) { take(points_, count, most_points, "points in all keys"); }
-void Budget::take_keys(std::size_t count) { take(keys_, count, most_keys, "keys"); }
+void Budget::take_node() { take(nodes_, 1, max_nodes, "layers, groups and shapes"); }
+void Budget::take_points(std::size_t count) { take(points_, count, max_points, "points in all keys"); }
+void Budget::take_keys(std::size_t count) { take(keys_, count, max_keys, "keys"); }
 void Budget::take_computed_points(std::size_t count)
 {
-    take(computed_points_, count, most_computed_points, "points to compute for what moves");
+    take(computed_points_, count, max_computed_points, "points to compute for what moves");
 }
 
 void Budget::check_depth(int depth)

@@ -8,18 +8,18 @@ namespace kfast::art {
 /// that is exceeded.
 class Budget {
 public:
-    static constexpr std::size_t most_nodes = 65'535;
-    static constexpr std::size_t most_points = std::size_t{1} << 22; ///< in all keys of drawings
-    static constexpr std::size_t most_keys = std::size_t{1} << 20;   ///< of channels
+    static constexpr std::size_t max_nodes = 65'535;
+    static constexpr std::size_t max_points = std::size_t{1} << 22; ///< in all keys of drawings
+    static constexpr std::size_t max_keys = std::size_t{1} << 20;   ///< of channels
     /// Points of drawings, each time they are computed to find keys.
-    static constexpr std::size_t most_computed_points = std::size_t{1} << 27;
+    static constexpr std::size_t max_computed_points = std::size_t{1} << 27;
     static constexpr int deepest = 64; ///< groups, layers and uses in each other
 
     void take_node();
     void take_points(std::size_t count);
     void take_keys(std::size_t count);
     void take_computed_points(std::size_t count);
-    std::size_t computed_points_left() const { return most_computed_points - computed_points_; }
+    std::size_t computed_points_left() const { return max_computed_points - computed_points_; }
     static void check_depth(int depth);
 
 private:

@@ -20,7 +20,7 @@ struct Loss {
 /// What an importer could not carry over. The same loss is kept once, and at most a thousand of them.
 class Losses {
 public:
-    static constexpr std::size_t most = 1000;
+    static constexpr std::size_t max = 1000;
 
     void add(Loss loss);
 

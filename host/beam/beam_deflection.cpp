@@ -31,7 +31,7 @@ Matrix exponential(const Matrix& rates, double phase)
     return sum;
 }
 
-/// A spring's phase turns by at most so much in a step, if that makes no more than most_steps.
+/// A spring's phase turns by at most so much in a step, if that makes no more than max_steps.
 constexpr double longest_phase = 0.25;
 
 }
@@ -40,7 +40,7 @@ DeflectedBeam::DeflectedBeam(const BeamDeflection& deflection, std::uint32_t rat
 {
     const double angular = 2 * std::numbers::pi * deflection.bandwidth;
     const double phase = angular / rate;
-    steps_ = std::clamp(static_cast<int>(std::ceil(phase / longest_phase)), 1, most_steps);
+    steps_ = std::clamp(static_cast<int>(std::ceil(phase / longest_phase)), 1, max_steps);
     spring_ = exponential({0, 1, -1, -2 * deflection.damping}, phase / steps_);
     longest_step_ = deflection.top_speed * field_side / rate / steps_;
     top_speed_ = deflection.top_speed * field_side / angular;

@@ -25,7 +25,7 @@ struct BeamPlace {
 /// taken for straight.
 class DeflectedBeam {
 public:
-    static constexpr int most_steps = 8;
+    static constexpr int max_steps = 8;
 
     /// `rate`: points in a second.
     DeflectedBeam(const BeamDeflection& deflection, std::uint32_t rate);

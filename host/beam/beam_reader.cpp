@@ -66,9 +66,9 @@ bool read_wait(const kdl::Value& value, BeamProfile& beam, Report& report)
     return assign(read_whole_number(value, waits, report), beam.*wait);
 }
 
-bool read_least_refresh(const kdl::Value& value, BeamProfile& beam, Report& report)
+bool read_min_refresh(const kdl::Value& value, BeamProfile& beam, Report& report)
 {
-    return assign(read_whole_number(value, refreshes, report), beam.least_refresh);
+    return assign(read_whole_number(value, refreshes, report), beam.min_refresh);
 }
 
 bool read_resolution(const kdl::Value& value, BeamProfile& beam, Report& report)
@@ -110,7 +110,7 @@ constexpr std::array rules{
     PropertyRule<BeamProfile>{"arrival-dwell", read_wait<&BeamProfile::arrival_dwell>},
     PropertyRule<BeamProfile>{"leave-dwell", read_wait<&BeamProfile::leave_dwell>},
     PropertyRule<BeamProfile>{"light-delay", read_wait<&BeamProfile::light_delay>},
-    PropertyRule<BeamProfile>{"least-refresh", read_least_refresh},
+    PropertyRule<BeamProfile>{"least-refresh", read_min_refresh},
     PropertyRule<BeamProfile>{"resolution", read_resolution},
     PropertyRule<BeamProfile>{"brightness", read_brightness},
     PropertyRule<BeamProfile>{"park-x", read_park<&FieldPoint::x>},
@@ -131,9 +131,9 @@ const ProfileChoice* named_profile(const kdl::Value& value, Report& report)
 
 bool has_time_to_draw(const kdl::Node& node, const BeamProfile& beam, Report& report)
 {
-    if (beam.rate / beam.least_refresh >= fewest_points)
+    if (beam.rate / beam.min_refresh >= fewest_points)
         return true;
-    return report.error(schema::property_place(node, "least-refresh"),
+    return report.error(schema::property_span(node, "least-refresh"),
                         "at this rate a picture would have fewer than " + std::to_string(fewest_points) +
                             " points",
                         "let least-refresh be at most " + std::to_string(beam.rate / fewest_points));

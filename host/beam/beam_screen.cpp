@@ -28,11 +28,11 @@ double deviation_of(const BeamDisplay& display, Size size)
 
 /// What makes the middle of a usual line, just drawn, a light of 1.
 double exposure_of(const BeamProfile& profile, double fading, Size size, double deviation,
-                   std::int64_t usual_points)
+                   std::int64_t default_points)
 {
     const double points_per_pixel = units_per_pixel(size) / profile.lit_step;
     const double in_the_middle = points_per_pixel / (deviation * std::sqrt(2 * std::numbers::pi));
-    const double tours = 1 / (1 - std::pow(fading, static_cast<double>(usual_points)));
+    const double tours = 1 / (1 - std::pow(fading, static_cast<double>(default_points)));
     return 1 / (in_the_middle * tours);
 }
 
@@ -52,11 +52,11 @@ Frame black(Size size)
 double BeamScreen::field_side_on(Size size) { return field_share * std::min(size.width, size.height); }
 
 BeamScreen::BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
-                       std::int64_t usual_points)
+                       std::int64_t default_points)
     : display_{display}, film_{display.phosphor}, beam_{display.deflection, profile.rate},
       sheet_{size, film_.channels()}, fading_{fading_of(display, profile.rate)}, frame_{black(size)}
 {
-    exposure_ = exposure_of(profile, fading_, size, spot_deviation(), usual_points);
+    exposure_ = exposure_of(profile, fading_, size, spot_deviation(), default_points);
 }
 
 std::int64_t BeamScreen::memory() const

@@ -28,7 +28,8 @@ public:
 
     /// It is exposed for a line at the profile's usual speed in a picture of that many points, drawn over and
     /// over.
-    BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size, std::int64_t usual_points);
+    BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
+               std::int64_t default_points);
 
     /// How long light is seen, in points.
     std::int64_t memory() const;

@@ -14,7 +14,7 @@ double widths(std::uint64_t length) { return static_cast<double>(length) / field
 
 BeamScreenSource::BeamScreenSource(const SceneView& scene, const BeamProfile& profile,
                                    const BeamDisplay& display, Size size)
-    : scene_{scene}, source_{scene, profile}, screen_{profile, display, size, usual_points(scene, profile)}
+    : scene_{scene}, source_{scene, profile}, screen_{profile, display, size, default_points(scene, profile)}
 {
 }
 

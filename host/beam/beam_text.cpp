@@ -49,7 +49,7 @@ std::array<std::string, property_count> property_texts(const BeamProfile& beam)
         "arrival-dwell=" + std::to_string(beam.arrival_dwell),
         "leave-dwell=" + std::to_string(beam.leave_dwell),
         "light-delay=" + std::to_string(beam.light_delay),
-        "least-refresh=" + std::to_string(beam.least_refresh),
+        "least-refresh=" + std::to_string(beam.min_refresh),
         "resolution=" + std::to_string(beam.resolution),
         "brightness=" + brightness_text(beam.brightness),
         "park-x=" + place_text(beam.park.x),

@@ -34,7 +34,7 @@ std::vector<DrawnPicture> drawn_pictures(BeamSource& source, const SceneView& sc
     return pictures;
 }
 
-std::int64_t usual_points(const SceneView& scene, const BeamProfile& profile)
+std::int64_t default_points(const SceneView& scene, const BeamProfile& profile)
 {
     constexpr int samples = 32;
     BeamSource source{scene, profile};

@@ -18,6 +18,6 @@ std::vector<DrawnPicture> drawn_pictures(BeamSource& source, const SceneView& sc
                                          std::int64_t memory);
 
 /// How many points the pictures of a scene have on the average.
-std::int64_t usual_points(const SceneView& scene, const BeamProfile& profile);
+std::int64_t default_points(const SceneView& scene, const BeamProfile& profile);
 
 }

@@ -14,15 +14,15 @@ inline constexpr double units_per_percent = field_side / 100.0;
 /// Rounded to nearest, and to the nearest one that there is; a step of 0 % alone is none.
 inline std::uint16_t field_step(double percent)
 {
-    const long least = percent > 0 ? 1 : 0;
-    return static_cast<std::uint16_t>(std::clamp(std::lround(percent * units_per_percent), least, 0xFFFFL));
+    const long min = percent > 0 ? 1 : 0;
+    return static_cast<std::uint16_t>(std::clamp(std::lround(percent * units_per_percent), min, 0xFFFFL));
 }
 
 /// Likewise; 0 % is the middle.
 inline std::int16_t field_place(double percent)
 {
     return static_cast<std::int16_t>(
-        std::clamp(std::lround(percent * units_per_percent), long{field_least}, long{field_most}));
+        std::clamp(std::lround(percent * units_per_percent), long{field_min}, long{field_max}));
 }
 
 }

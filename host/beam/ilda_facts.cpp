@@ -8,8 +8,8 @@ namespace {
 
 void stretch_to(IldaFacts& facts, FieldPoint at)
 {
-    facts.least = {std::min(facts.least.x, at.x), std::min(facts.least.y, at.y)};
-    facts.most = {std::max(facts.most.x, at.x), std::max(facts.most.y, at.y)};
+    facts.min = {std::min(facts.min.x, at.x), std::min(facts.min.y, at.y)};
+    facts.max = {std::max(facts.max.x, at.x), std::max(facts.max.y, at.y)};
 }
 
 void add_step(IldaFacts& facts, FieldPoint from, const BeamPoint& to)
@@ -22,7 +22,7 @@ void add(IldaFacts& facts, const IldaFrame& frame)
 {
     facts.formats.insert(frame.format);
     facts.points += frame.points.size();
-    facts.most_points = std::max(facts.most_points, frame.points.size());
+    facts.max_points = std::max(facts.max_points, frame.points.size());
     FieldPoint before = frame.points.front().point.at;
     for (const auto& [point, z] : frame.points) {
         facts.lit_points += point.is_lit();
@@ -37,7 +37,7 @@ void add(IldaFacts& facts, const IldaFrame& frame)
 IldaFacts ilda_facts(const IldaContents& contents)
 {
     IldaFacts facts;
-    facts.least = facts.most = contents.frames.front().points.front().point.at;
+    facts.min = facts.max = contents.frames.front().points.front().point.at;
     for (const IldaFrame& frame : contents.frames)
         add(facts, frame);
     return facts;

@@ -12,9 +12,9 @@ struct IldaFacts {
     std::set<IldaFormat> formats; ///< of frames
     std::size_t points = 0;
     std::size_t lit_points = 0;
-    std::size_t most_points = 0; ///< in a frame
-    FieldPoint least;            ///< of all points: left and bottom,
-    FieldPoint most;             ///< right and top
+    std::size_t max_points = 0;  ///< in a frame
+    FieldPoint min;              ///< of all points: left and bottom,
+    FieldPoint max;              ///< right and top
     double longest_lit_step = 0; ///< to a lit point, from the one before it in the frame
     double longest_blanked_step = 0;
 };

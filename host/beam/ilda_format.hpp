@@ -21,8 +21,8 @@ enum class IldaFormat : std::uint8_t {
 inline constexpr std::array<char, 4> ilda_magic{'I', 'L', 'D', 'A'};
 inline constexpr std::size_t ilda_header_bytes = 32;
 inline constexpr std::size_t ilda_name_bytes = 8;
-inline constexpr std::size_t most_ilda_records = 0xFFFF; ///< in a section; as many frames has a file
-inline constexpr std::size_t most_ilda_colours = 256;    ///< in a palette
+inline constexpr std::size_t max_ilda_records = 0xFFFF; ///< in a section; as many frames has a file
+inline constexpr std::size_t max_ilda_colours = 256;    ///< in a palette
 
 /// Bits of the status of a point.
 inline constexpr std::uint8_t ilda_last_point = 0x80;

@@ -56,7 +56,7 @@ void IldaPalette::add(std::span<const BeamPoint> points)
     for (const BeamPoint& point : points) {
         if (!point.is_lit() || std::ranges::find(colours_, point.colour) != colours_.end())
             continue;
-        if (colours_.size() < most_ilda_colours)
+        if (colours_.size() < max_ilda_colours)
             colours_.push_back(point.colour);
         else
             is_too_small_ = true;

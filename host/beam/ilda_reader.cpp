@@ -111,7 +111,7 @@ private:
 
     void palette(std::size_t begin, const Header& head)
     {
-        if (head.records > most_ilda_colours)
+        if (head.records > max_ilda_colours)
             fail_at(begin, "a palette of " + std::to_string(head.records) + " colours: an index tells 256");
         palette_.clear();
         for (int left = head.records; left > 0; --left) {

@@ -13,8 +13,8 @@ namespace kfast {
 /// The points of a picture, in the order of drawing.
 using BeamPoints = std::vector<BeamPoint>;
 
-/// A file with these frames, in any format but that of palettes. Each has 1 … most_ilda_records points, and
-/// there are 1 … most_ilda_records of them. The depth of points is 0. Indexed formats begin with a palette if
+/// A file with these frames, in any format but that of palettes. Each has 1 … max_ilda_records points, and
+/// there are 1 … max_ilda_records of them. The depth of points is 0. Indexed formats begin with a palette if
 /// the colours need one.
 ///
 /// `name` is that of the frames; what is no ASCII of it becomes '_', and what is behind eight letters is left

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double gamma = 2.2;       // of pictures on the PC
 constexpr double sensitivity = 2.6; // light of 1 becomes 0.93 of white
-constexpr float most_light = 5;     // from here on everything is white
+constexpr float max_light = 5;      // from here on everything is white
 constexpr int steps = 8192;         // of the square root of light, which is finer where it is dark
 constexpr float spill = 0.05F;      // share of other colours' light that a sensor takes for its own
 
@@ -54,7 +54,7 @@ std::vector<std::uint8_t> level_table(double sensitive)
     std::vector<std::uint8_t> levels(steps + 1);
     for (int i = 0; i <= steps; ++i) {
         const double root = static_cast<double>(i) / steps;
-        levels[static_cast<std::size_t>(i)] = encoded(exposed(root * root * double{most_light}, sensitive));
+        levels[static_cast<std::size_t>(i)] = encoded(exposed(root * root * double{max_light}, sensitive));
     }
     return levels;
 }
@@ -73,8 +73,8 @@ std::vector<Colour> colour_table(const Tint& tint)
     constexpr int brightest = 255;
     std::vector<Colour> colours;
     for (int level = 0; level <= brightest; ++level) {
-        const double share = std::min(linear(static_cast<std::uint8_t>(level)),
-                                      exposed(double{most_light}, level_sensitivity));
+        const double share =
+            std::min(linear(static_cast<std::uint8_t>(level)), exposed(double{max_light}, level_sensitivity));
         const double light = -std::log(1 - share) / level_sensitivity;
         colours.push_back({encoded(exposed(light * tint.red)), encoded(exposed(light * tint.green)),
                            encoded(exposed(light * tint.blue))});
@@ -112,7 +112,7 @@ Light Film::light_of(Colour colour) const
 
 std::uint8_t Film::level(float light) const
 {
-    const float root = std::sqrt(std::min(light, most_light) / most_light);
+    const float root = std::sqrt(std::min(light, max_light) / max_light);
     return levels_[static_cast<std::size_t>(root * steps + 0.5F)];
 }
 

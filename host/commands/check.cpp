@@ -118,7 +118,7 @@ void check_as_json(const CheckOptions& options)
     for (const std::string& path : options.paths)
         files.push_back(checked(path, options));
     std::cout << check_json(files);
-    const auto wrong = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::is_good));
+    const auto wrong = static_cast<std::size_t>(std::ranges::count(files, false, &CheckedFile::is_valid));
     if (wrong > 0)
         fail_of_several(wrong, files.size());
 }

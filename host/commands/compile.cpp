@@ -31,7 +31,7 @@ struct CompileOptions {
 /// What other commands make of a scene.
 struct OtherOutput {
     std::string_view endings;
-    std::string_view remedy;
+    std::string_view hint;
 };
 
 constexpr std::array other_outputs{
@@ -48,10 +48,10 @@ void require_scene_name(const CompileOptions& options)
     std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';
     std::ranges::transform(ending, ending.begin(),
                            [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    for (const auto& [endings, remedy] : other_outputs)
+    for (const auto& [endings, hint] : other_outputs)
         if (ending.size() > 2 && endings.find(ending) != endings.npos)
             throw CLI::ValidationError("--output", "'" + options.output + "': a compiled scene is a .kfb; " +
-                                                       std::string{remedy} + ' ' + options.scene + " -o " +
+                                                       std::string{hint} + ' ' + options.scene + " -o " +
                                                        options.output);
 }
 

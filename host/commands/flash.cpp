@@ -117,7 +117,7 @@ void flash(const FlashOptions& options)
     const FlashOrder order = order_of(options);
     const std::unique_ptr<Workbench> bench = this_workbench();
     std::optional<FlashProgress> progress{shown_progress(options.talk)};
-    const TellFlashing tell_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
+    const FlashProgressCallback tell_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
         progress->tell(phase, done, total);
     };
     const RememberedInterruption interruption;

@@ -43,7 +43,7 @@ struct InfoOptions {
 };
 
 /// As an author writes them.
-Json keys_of(const SceneView& scene, Clock clock = {})
+Json keys_of(const SceneView& scene, Driver clock = {})
 {
     Json keys = Json::array();
     for (const Time key : key_times(scene, clock))
@@ -65,13 +65,13 @@ std::size_t wire_frame_count(const SceneView& scene)
     return count;
 }
 
-Json number_facts(const SceneView& scene, const InputView& input, Clock clock)
+Json number_facts(const SceneView& scene, const InputView& input, Driver clock)
 {
     return {{"name", input.name},
             {"kind", "number"},
-            {"min", input.least / 1000.0},
-            {"max", input.most / 1000.0},
-            {"default", input.usual / 1000.0},
+            {"min", input.min / 1000.0},
+            {"max", input.max / 1000.0},
+            {"default", input.default_value / 1000.0},
             {"keys", keys_of(scene, clock)}};
 }
 
@@ -81,8 +81,8 @@ Json text_facts(const InputView& input)
     return {{"name", input.name},
             {"kind", "text"},
             {"glyphs", glyph_text(text.glyphs)},
-            {"max", text.most},
-            {"default", usual_text(text)}};
+            {"max", text.max},
+            {"default", default_text(text)}};
 }
 
 Json drawing_facts(const InputView& input)
@@ -93,7 +93,7 @@ Json drawing_facts(const InputView& input)
             {"points", input.drawing.points}};
 }
 
-Json input_facts(const SceneView& scene, const InputView& input, Clock clock)
+Json input_facts(const SceneView& scene, const InputView& input, Driver clock)
 {
     switch (input.type) {
     case InputType::number:
@@ -111,7 +111,7 @@ Json input_facts(const SceneView& scene)
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
-        const Clock clock{static_cast<std::uint8_t>(inputs.size() + 1)};
+        const Driver clock{static_cast<std::uint8_t>(inputs.size() + 1)};
         inputs.push_back(input_facts(scene, input, clock));
     }
     return inputs;

@@ -54,9 +54,9 @@ struct LiveOptions {
 
 LiveInput live_input(const InputView& input)
 {
-    LiveInput live{std::string{input.name}, input.type, input.least, input.most};
+    LiveInput live{std::string{input.name}, input.type, input.min, input.max};
     if (input.type == InputType::text) {
-        live.most = static_cast<std::int32_t>(input.text.most);
+        live.max = static_cast<std::int32_t>(input.text.max);
         live.glyphs = input.text.glyphs;
     }
     return live;
@@ -81,10 +81,10 @@ std::vector<LiveInput> live_inputs(RemoteDevice& device)
     for (std::uint8_t number = 0; number < count; ++number) {
         const auto input = session.ask<link::InputState>(link::AskInput{number});
         const bool is_number = input.takes == link::InputKind::number;
-        if (is_number && input.least >= input.most)
+        if (is_number && input.min >= input.max)
             throw Failure{device.name() + ": tells an input without values: try again", ExitStatus::refused};
         inputs.push_back(
-            {std::string{input.name.view()}, static_cast<InputType>(input.takes), input.least, input.most});
+            {std::string{input.name.view()}, static_cast<InputType>(input.takes), input.min, input.max});
     }
     return inputs;
 }

@@ -46,7 +46,7 @@ void declare_man(CLI::App& app)
                    "Where to write the pages of all commands, in man1 and man5; made if need be");
     declare_quiet(app, options->quiet);
     app.callback([options, &app] {
-        print_or_write(*options, man_pages(words_of_command(*app.get_parent()), scene::vocabulary()));
+        print_or_write(*options, man_pages(words_of_command(*app.get_parent()), scene::language_schema()));
     });
 }
 

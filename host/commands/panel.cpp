@@ -28,17 +28,17 @@ struct PanelOptions {
 
 class PlayerInputs final : public ToldInputs {
 public:
-    explicit PlayerInputs(LiveScene& player) : player_{player} {}
+    explicit PlayerInputs(SceneState& player) : player_{player} {}
 
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
     {
         return player_.set_drawing(number, strokes);
     }
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
-    LiveScene& player_;
+    SceneState& player_;
 };
 
 PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, const SceneFile& scene)
@@ -50,7 +50,7 @@ PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, co
             .scene = scene.bytes,
             .timeline = chosen_timeline(options.play, scene.view),
             .tell_inputs =
-                [values, &scene](LiveScene& player) {
+                [values, &scene](SceneState& player) {
                     PlayerInputs told{player};
                     put_values(values, scene.view, told);
                 },

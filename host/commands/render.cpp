@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_loops = 1000;
-constexpr int most_columns = 1000;
+constexpr int max_loops = 1000;
+constexpr int max_columns = 1000;
 constexpr int largest_scale = 64;
 
 RenderSubject subject_of(const RenderOptions& options, const fs::path& output)
@@ -29,7 +29,7 @@ RenderSubject subject_of(const RenderOptions& options, const fs::path& output)
         return RenderSubject::contact_sheet;
     if (options.all)
         return RenderSubject::film;
-    return options.frame || options.time ? RenderSubject::moment : usual_subject(output);
+    return options.frame || options.time ? RenderSubject::moment : default_subject(output);
 }
 
 void require_vector_options(const RenderOptions& options)
@@ -97,7 +97,7 @@ void declare_subject(CLI::App& app, RenderOptions& options)
         ->add_option("--sheet", options.columns,
                      "Every frame on one PNG, so many in a row, and a .json that tells where they are")
         ->type_name("COLUMNS")
-        ->check(number_within(1, most_columns));
+        ->check(number_within(1, max_columns));
     subject->add_flag("--contact", options.contact,
                       "The key frames on one PNG, each with its number and its seconds");
     subject->require_option(0, 1);
@@ -119,7 +119,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
     const OptionHeading playing{app, option_group::play};
     app.add_option("--loops", options.loops, "Play a video so many times (default: 1)")
         ->type_name("N")
-        ->check(number_within(1, most_loops));
+        ->check(number_within(1, max_loops));
 }
 
 void declare_render(CLI::App& app)

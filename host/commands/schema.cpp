@@ -1,7 +1,7 @@
 #include "host/commands/command.hpp"
-#include "host/commands/help/vocabulary_json.hpp"
-#include "host/commands/help/vocabulary_kdl.hpp"
-#include "host/commands/help/vocabulary_markdown.hpp"
+#include "host/commands/help/schema_json.hpp"
+#include "host/commands/help/schema_kdl.hpp"
+#include "host/commands/help/schema_markdown.hpp"
 #include "host/commands/options/report_options.hpp"
 
 #include <iostream>
@@ -17,13 +17,13 @@ struct SchemaOptions {
 
 void print_schema(const SchemaOptions& options)
 {
-    const scene::Vocabulary words = scene::vocabulary();
+    const scene::LanguageSchema words = scene::language_schema();
     if (options.json)
-        std::cout << vocabulary_json(words);
+        std::cout << schema_json(words);
     else if (options.markdown)
-        std::cout << vocabulary_markdown(words);
+        std::cout << schema_markdown(words);
     else
-        std::cout << vocabulary_kdl(words);
+        std::cout << schema_kdl(words);
 }
 
 void declare_schema(CLI::App& app)

@@ -60,10 +60,10 @@ fs::path default_flash()
 /// A validator of CLI11: empty if it is right, else what is wrong.
 std::string is_serial(const std::string& text)
 {
-    constexpr std::size_t most = 24;
+    constexpr std::size_t max = 24;
     const bool is_plain =
         std::ranges::all_of(text, [](char letter) { return letter > ' ' && letter <= '~'; });
-    if (is_plain && !text.empty() && text.size() <= most)
+    if (is_plain && !text.empty() && text.size() <= max)
         return "";
     return "'" + visible(text) + "' is no serial number: 1 to 24 letters and digits, without spaces";
 }

@@ -16,7 +16,7 @@ namespace kfast {
 struct CompiledText {
     std::optional<std::vector<std::byte>> bytes; ///< present exactly when there were no errors
     std::vector<std::string> item_names;         ///< in the order in which the scene stores items
-    std::vector<Place> item_places;              ///< likewise
+    std::vector<SourceSpan> item_places;         ///< likewise
     StoredNames other_names;                     ///< of symbols, skeletons and bones
     std::size_t errors = 0;
     std::size_t warnings = 0;

@@ -52,7 +52,7 @@ std::string in_words(Error error, std::span<const std::byte> bytes)
         return "the scene needs more memory than it says: " + again;
     case Error::too_slow:
         return "a picture of the scene takes a Pico (RP2040) longer than a second: " +
-               std::string{slow_scene_remedy};
+               std::string{slow_scene_hint};
     default: // the command has all features
         return std::string{error_text(error)};
     }
@@ -77,7 +77,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
         refuse(path, "the text is in UTF-16: save it as UTF-8");
     if (text.find('\0') != std::string::npos)
         refuse(path, "neither a scene nor a compiled scene: name " + std::string{scene_files});
-    if (text.size() > most_scene_text_bytes)
+    if (text.size() > max_scene_text_bytes)
         refuse(path, "a text larger than 4 MB, more than any scene needs: is it the right file?");
     SourceText source{path.string(), std::move(text), path.parent_path().string()};
     CompiledText compiled = compile_and_report(source, reporter);

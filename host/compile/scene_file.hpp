@@ -30,7 +30,7 @@ struct SceneFile {
     std::size_t warnings = 0;            ///< of the compiler
     art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
-    std::vector<Place> item_places;      ///< likewise, in `text`; of a file of another program none
+    std::vector<SourceSpan> item_places; ///< likewise, in `text`; of a file of another program none
     StoredNames other_names;             ///< of symbols, skeletons and bones; only of a text
     std::string text;                    ///< of a scene text
     std::vector<std::filesystem::path> fonts; ///< files that a text names

@@ -19,7 +19,7 @@ std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnost
 }
 
 std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
-                                                const TellWork& tell)
+                                                const ProgressCallback& tell)
 {
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors()) // what was not read would only cause errors that follow from these

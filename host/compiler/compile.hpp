@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
@@ -28,7 +28,7 @@ struct StoredNames {
 struct CompiledScene {
     std::vector<std::byte> bytes;
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; may be empty
-    std::vector<Place> item_places;      ///< likewise, in the text
+    std::vector<SourceSpan> item_places; ///< likewise, in the text
     StoredNames other_names;             ///< of symbols, skeletons and bones
 };
 
@@ -39,6 +39,6 @@ std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnost
 
 /// As compile(), with the names of items.
 std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
-                                                const TellWork& tell = tell_nobody);
+                                                const ProgressCallback& tell = tell_nobody);
 
 }

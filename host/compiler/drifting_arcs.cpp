@@ -41,15 +41,15 @@ Sector between(const Sector& a, const Sector& b, const Progress& progress)
             .to = between(a.to, b.to, x)};
 }
 
-std::vector<Spot> arc_spots(const Sector& sector)
+std::vector<Vec2> arc_spots(const Sector& sector)
 {
     const int count = 1 + static_cast<int>(std::abs(sector.to - sector.from) / degrees_apart);
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (int i = 0; i <= count; ++i) {
         const double angle = between(sector.from, sector.to, static_cast<double>(i) / count);
         const double turn = angle * std::numbers::pi / 180;
         spots.push_back(sector.centre +
-                        Spot{sector.radius_x * std::cos(turn), sector.radius_y * std::sin(turn)});
+                        Vec2{sector.radius_x * std::cos(turn), sector.radius_y * std::sin(turn)});
     }
     return spots;
 }
@@ -60,9 +60,9 @@ std::uint32_t chords_of(double radius)
     return 1 + static_cast<std::uint32_t>(std::numbers::pi / 4 * std::sqrt(radius / chord_error / 2));
 }
 
-std::vector<Spot> stroke_spots(const SegmentPairs& stroke, const Progress& progress, std::uint32_t chords)
+std::vector<Vec2> stroke_spots(const SegmentPairs& stroke, const Progress& progress, std::uint32_t chords)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (const Pair<Segment>& pair : stroke) {
         const Segment segment = tween(pair.a, pair.b, progress.x, progress.y);
         for (std::uint32_t i = spots.empty() ? 0 : 1; i <= chords; ++i)
@@ -71,7 +71,7 @@ std::vector<Spot> stroke_spots(const SegmentPairs& stroke, const Progress& progr
     return spots;
 }
 
-double distance_to(const std::vector<Spot>& line, Spot spot)
+double distance_to(const std::vector<Vec2>& line, Vec2 spot)
 {
     double nearest = distance(spot, line.front());
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -80,10 +80,10 @@ double distance_to(const std::vector<Spot>& line, Spot spot)
 }
 
 /// How far the places of an arc are from what stands in its stead, in pixels.
-double drift(const Sector& sector, const std::vector<Spot>& drawn)
+double drift(const Sector& sector, const std::vector<Vec2>& drawn)
 {
     double farthest = 0;
-    for (const Spot spot : arc_spots(sector))
+    for (const Vec2 spot : arc_spots(sector))
         farthest = std::max(farthest, distance_to(drawn, spot));
     return farthest;
 }
@@ -92,7 +92,7 @@ double drift(const Sector& sector, const std::vector<Spot>& drawn)
 struct Drift {
     double by = 0; ///< px
     Time time;
-    Place place;       ///< of the key that it leaves
+    SourceSpan place;  ///< of the key that it leaves
     double radius = 0; ///< px
 };
 
@@ -150,7 +150,7 @@ private:
     void look_at(const scene::Key& key, const scene::Key& next, const Pair<Sector>& sectors,
                  const SegmentPairs& stroke)
     {
-        for (const Time time : moments_between(key.time, next.time, object_.clock.is_time())) {
+        for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
             const Progress progress = progress_between(key.time, next.time, time, key.laws);
             const Sector sector = between(sectors.a, sectors.b, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
@@ -169,18 +169,18 @@ private:
 std::string value_text(const scene::Input& input, Time time)
 {
     const double share = static_cast<double>(time.ticks) / whole_input.ticks;
-    const double least = input.least / 1000.0;
-    const double most = input.most / 1000.0;
-    const double step = std::pow(10, std::floor(std::log10((most - least) / 1000)));
-    return rounded_text(std::round(between(least, most, share) / step) * step);
+    const double min = input.min / 1000.0;
+    const double max = input.max / 1000.0;
+    const double step = std::pow(10, std::floor(std::log10((max - min) / 1000)));
+    return rounded_text(std::round(between(min, max, share) / step) * step);
 }
 
 /// "frame 51" or, of an object that an input moves, "level=12.5".
-std::string moment_text(const scene::Scene& scene, Clock clock, Time time)
+std::string moment_text(const scene::Scene& scene, Driver driver, Time time)
 {
-    if (clock.is_time())
+    if (driver.is_time())
         return "frame " + rounded_text(in_frames(time));
-    const scene::Input& input = scene.inputs[clock.input - 1U];
+    const scene::Input& input = scene.inputs[driver.input - 1U];
     return input.name + '=' + value_text(input, time);
 }
 
@@ -200,7 +200,7 @@ void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagn
     diagnostics.warning(worst.place,
                         "the arc leaves its circle on the way to the next key, by " +
                             rounded_text(std::round(worst.by * 10) / 10) + " px at " +
-                            moment_text(scene, object.clock, worst.time) + ": points go straight",
+                            moment_text(scene, object.driver, worst.time) + ": points go straight",
                         "add a key for every " + std::to_string(step_of(worst.radius)) +
                             " degrees or so, with match=length, or turn an arc that keeps its length");
 }

@@ -12,7 +12,7 @@ namespace kfast {
 /// Where the items of a .kfb come from, in the order in which it stores them, as every_item() reads them.
 struct ItemOrigins {
     std::vector<std::string> names; ///< of a use without a name that of its symbol
-    std::vector<Place> places;      ///< in the text
+    std::vector<SourceSpan> places; ///< in the text
     StoredNames other_names;        ///< of symbols, skeletons and bones
 };
 

@@ -109,7 +109,7 @@ std::vector<BeamLeg> route_of(const BeamLines& lines)
 /// BeamLines holds no more points.
 bool is_small(const scene::Drawing& drawing)
 {
-    return drawing.strokes.size() > 1 && scene::point_count(drawing) < BeamLines::most_points;
+    return drawing.strokes.size() > 1 && scene::point_count(drawing) < BeamLines::max_points;
 }
 
 /// The depths of a wire frame have to stay in step with its strokes, and an order that is short as they are

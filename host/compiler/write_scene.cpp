@@ -37,7 +37,7 @@ void check_laws(const LawTable& laws, Diagnostics& diagnostics)
 }
 
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
-                                                  const TellWork& tell)
+                                                  const ProgressCallback& tell)
 {
     LawTable laws;
     DrawingPool drawings;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
@@ -13,6 +13,6 @@ namespace kfast {
 /// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items, points, steps or
 /// outlines is an error at its largest object.
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
-                                                  const TellWork& tell = tell_nobody);
+                                                  const ProgressCallback& tell = tell_nobody);
 
 }

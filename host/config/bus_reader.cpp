@@ -42,7 +42,7 @@ bool read_bus(const kdl::Node& node, Draft& draft, schema::Report& report)
     draft.bus = &node;
     const bool is_known = assign(read_word(node.arguments.front(), bus_words, report), draft.settings.bus);
     if (is_known && draft.settings.bus != BusKind::i2c && schema::has_property(node, "address"))
-        report.warning(schema::property_place(node, "address"), "only i2c has addresses", "remove it");
+        report.warning(schema::property_span(node, "address"), "only i2c has addresses", "remove it");
     return read_properties(node, rules, draft, report) && is_known;
 }
 

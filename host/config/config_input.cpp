@@ -64,7 +64,7 @@ void require_rules(const std::string& name, const BoardSettings& settings)
     std::string text = name + ": settings that a Pico cannot follow: make them again from a text";
     for (const SettingsMistake& mistake : found) {
         const Finding finding = text_of(mistake, settings);
-        text += "\n  " + finding.message + ": " + finding.remedy;
+        text += "\n  " + finding.message + ": " + finding.hint;
     }
     throw Failure(text);
 }

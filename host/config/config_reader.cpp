@@ -45,33 +45,33 @@ constexpr std::array chips{Word<bool>{"pico", true}};
 void complete(Draft& draft)
 {
     BoardSettings& settings = draft.settings;
-    const std::uint32_t most = clock_range(settings.bus).most;
+    const std::uint32_t max = clock_range(settings.bus).max;
     const std::uint32_t rated = rated_clock(settings);
-    settings.bus_clock = draft.clock.value_or(rated == 0 ? most : std::min(rated, most));
+    settings.bus_clock = draft.clock.value_or(rated == 0 ? max : std::min(rated, max));
     if (!leads_beam(settings.bus))
         settings.panel.tearing_effect = draft.tearing.value_or(settings.pin(PinRole::tearing) != no_pin);
 }
 
-Place pin_place(PinUser user, const Draft& draft)
+SourceSpan pin_place(PinUser user, const Draft& draft)
 {
     if (user.is_control())
         return draft.control_nodes[user.control()]->arguments.front().place;
-    return schema::property_place(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
+    return schema::property_span(*draft.pins, pin_role_names[static_cast<std::size_t>(user.role())]);
 }
 
-Place action_place(PinUser user, const Draft& draft)
+SourceSpan action_place(PinUser user, const Draft& draft)
 {
     return draft.control_nodes[user.control()]->arguments[1].place;
 }
 
-Place glass_place(const kdl::Node& panel)
+SourceSpan glass_place(const kdl::Node& panel)
 {
     const kdl::Value& value = panel.arguments.front();
     return panel.arguments.size() == 1 ? value.place
                                        : schema::span(panel.arguments[1].place, panel.arguments.back().place);
 }
 
-Place place_of(const SettingsMistake& mistake, const Draft& draft)
+SourceSpan place_of(const SettingsMistake& mistake, const Draft& draft)
 {
     switch (mistake.fault) {
     case SettingsFault::bus_not_taken:
@@ -80,12 +80,12 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::glass_ragged:
         return glass_place(*draft.panel);
     case SettingsFault::rotation_not_done:
-        return schema::property_place(*draft.panel, "rotation");
+        return schema::property_span(*draft.panel, "rotation");
     case SettingsFault::clock_too_fast:
     case SettingsFault::clock_too_slow:
-        return schema::property_place(*draft.bus, "clock");
+        return schema::property_span(*draft.bus, "clock");
     case SettingsFault::address_reserved:
-        return schema::property_place(*draft.bus, "address");
+        return schema::property_span(*draft.bus, "address");
     case SettingsFault::pin_missing:
     case SettingsFault::pin_not_on_board:
     case SettingsFault::pin_shared:
@@ -98,9 +98,9 @@ Place place_of(const SettingsMistake& mistake, const Draft& draft)
     case SettingsFault::nothing_to_arm:
         return action_place(*mistake.user, draft);
     case SettingsFault::beam_beyond_limits:
-        return draft.beam->name_place;
+        return draft.beam->name_span;
     case SettingsFault::beam_too_fast:
-        return schema::property_place(*draft.beam, "rate");
+        return schema::property_span(*draft.beam, "rate");
     }
     return {};
 }
@@ -110,10 +110,10 @@ void check_rules(const Draft& draft, Report& report)
     const std::vector<SettingsMistake> found = mistakes(draft.settings);
     for (const SettingsMistake& mistake : found) {
         const Finding finding = text_of(mistake, draft.settings);
-        report.error(place_of(mistake, draft), finding.message, finding.remedy);
+        report.error(place_of(mistake, draft), finding.message, finding.hint);
     }
     if (const auto finding = clock_warning(draft.settings); finding && found.empty())
-        report.warning(schema::property_place(*draft.bus, "clock"), finding->message, finding->remedy);
+        report.warning(schema::property_span(*draft.bus, "clock"), finding->message, finding->hint);
 }
 
 void read_chip(const kdl::Value& name, Report& report)

@@ -72,9 +72,9 @@ bool read_name_of(const kdl::Node& node, Control& control, Report& report)
 
 bool has_room(const kdl::Node& node, const Draft& draft, Report& report)
 {
-    return draft.controls < BoardSettings::most_controls ||
-           report.error(node.name_place,
-                        "a board has at most " + std::to_string(BoardSettings::most_controls) +
+    return draft.controls < BoardSettings::max_controls ||
+           report.error(node.name_span,
+                        "a board has at most " + std::to_string(BoardSettings::max_controls) +
                             " buttons and knobs",
                         "remove this one");
 }

@@ -21,7 +21,7 @@ struct Draft {
     const kdl::Node* beam = nullptr;
     const kdl::Node* bus = nullptr;
     const kdl::Node* pins = nullptr;
-    std::array<const kdl::Node*, BoardSettings::most_controls> control_nodes{};
+    std::array<const kdl::Node*, BoardSettings::max_controls> control_nodes{};
 };
 
 }

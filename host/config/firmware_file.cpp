@@ -32,8 +32,8 @@ std::optional<std::size_t> bus_number(std::span<const std::byte> image)
 
 void require_whole(std::span<const std::byte> image, const std::string& name)
 {
-    constexpr std::size_t least = ImageMark::length_place + 4;
-    if (image.size() < least)
+    constexpr std::size_t min = ImageMark::length_place + 4;
+    if (image.size() < min)
         throw Failure(name + ": only " + std::to_string(image.size()) +
                       " bytes: it was cut off, copy it again");
     if (!bus_number(image))

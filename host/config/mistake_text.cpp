@@ -67,8 +67,7 @@ Finding clock_text(const BoardSettings& settings, const std::string& wrong)
 {
     const ClockRange range = clock_range(settings.bus);
     return {"a Pico has no " + word_of(settings.bus) + " that is so " + wrong,
-            "allowed: " + quantity_text(range.least, frequency) + " to " +
-                quantity_text(range.most, frequency)};
+            "allowed: " + quantity_text(range.min, frequency) + " to " + quantity_text(range.max, frequency)};
 }
 
 std::string hex(unsigned value)
@@ -137,10 +136,10 @@ Finding units_differ_text(const BoardSettings& settings)
 
 Finding beam_too_fast_text(const BoardSettings& settings)
 {
-    const std::uint32_t most = rp2040::most_points(settings.bus_clock);
+    const std::uint32_t max = rp2040::max_points(settings.bus_clock);
     return {"a bus clock of " + quantity_text(settings.bus_clock, frequency) + " cannot carry " +
                 std::to_string(settings.beam.rate) + " points a second",
-            "it can carry " + std::to_string(most)};
+            "it can carry " + std::to_string(max)};
 }
 
 Finding action_text(PinUser user, const BoardSettings& settings)
@@ -219,7 +218,7 @@ std::uint32_t rated_clock(const BoardSettings& settings)
     case BusKind::parallel_8:
         return facts.parallel_hz;
     case BusKind::dac:
-        return clock_range(BusKind::dac).most;
+        return clock_range(BusKind::dac).max;
     }
     return 0;
 }

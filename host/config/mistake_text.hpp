@@ -11,7 +11,7 @@ namespace kfast::config {
 /// What is wrong with settings, and what would be right.
 struct Finding {
     std::string message;
-    std::string remedy;
+    std::string hint;
 };
 
 /// The first mistake against each of the rules.

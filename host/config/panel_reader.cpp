@@ -102,9 +102,9 @@ bool read_glass(const kdl::Node& node, PanelSettings& panel, Report& report)
 
 std::optional<Controller> read_controller(const kdl::Value& name, Report& report)
 {
-    if (const auto remedy =
+    if (const auto hint =
             name.string() == nullptr ? std::nullopt : fit::undriven_panel_text(*name.string())) {
-        report.error(name.place, "unknown panel " + in_quotes(*name.string()), *remedy);
+        report.error(name.place, "unknown panel " + in_quotes(*name.string()), *hint);
         return std::nullopt;
     }
     return read_word(name, controller_words, report);
@@ -115,7 +115,7 @@ bool read_panel(const kdl::Node& node, Draft& draft, schema::Report& report)
     draft.panel = &node;
     const auto controller = read_controller(node.arguments.front(), report);
     PanelSettings& panel = draft.settings.panel;
-    panel = facts_of(controller.value_or(Controller::st7789)).usual;
+    panel = facts_of(controller.value_or(Controller::st7789)).default_value;
     const bool has_glass = read_glass(node, panel, report);
     return read_properties(node, rules, draft, report) && has_glass && controller;
 }

@@ -23,7 +23,7 @@ bool report_unknown_role(const kdl::Node& node, const kdl::Property& property, R
     if (!printed)
         return report_unknown_property(node, property, pin_role_names, report);
     const std::string role = word_of(*printed);
-    return report.error(property.name_place, "pins has no property " + in_quotes(property.name),
+    return report.error(property.name_span, "pins has no property " + in_quotes(property.name),
                         "here it is called " + role + ": write " + role + "=…");
 }
 

@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_at_once = 4;
+constexpr std::size_t max_at_once = 4;
 
 // What a signal has to remove; empty where there is nothing. A handler may touch nothing but plain memory,
 // hence no std::string.
-std::array<std::array<char, PATH_MAX>, most_at_once> paths_to_remove{};
+std::array<std::array<char, PATH_MAX>, max_at_once> paths_to_remove{};
 
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGTERM};
 
@@ -62,7 +62,7 @@ void remove_on_signal(const fs::path& path)
 {
     auto* const slot = slot_of("");
     if (slot == paths_to_remove.end())
-        throw std::logic_error("more than " + std::to_string(most_at_once) + " files at once");
+        throw std::logic_error("more than " + std::to_string(max_at_once) + " files at once");
     if (path.native().size() >= slot->size())
         throw Failure("cannot write " + path.string() + ": the name is too long: choose a shorter one");
     std::ranges::copy(path.native().substr(1), slot->begin() + 1);
@@ -103,7 +103,7 @@ fs::path temporary_name(const fs::path& target, int attempt)
            (".kfast-" + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp");
 }
 
-const char* remedy(int error_number)
+const char* hint(int error_number)
 {
     switch (error_number) {
     case ENOENT:
@@ -201,7 +201,7 @@ void AtomicFile::finish()
 void AtomicFile::fail(int error_number) const
 {
     throw Failure("cannot write " + target_.string() + ": " + std::strerror(error_number) + ": " +
-                  remedy(error_number));
+                  hint(error_number));
 }
 
 void write_file(const fs::path& target, std::span<const std::byte> bytes)

@@ -47,7 +47,7 @@ public:
     {
         std::string all;
         std::array<char, 65536> block{};
-        while (all.size() <= kind_.most_bytes) {
+        while (all.size() <= kind_.max_bytes) {
             const ssize_t count = ::read(descriptor_, block.data(), block.size());
             if (count < 0)
                 refuse(in_words(errno, kind_));
@@ -79,8 +79,8 @@ std::string read_input(const fs::path& path, const InputKind& kind)
     std::string content = file.content();
     if (content.empty())
         file.refuse("the file is empty: " + std::string{kind.begins});
-    if (content.size() > kind.most_bytes)
-        file.refuse("larger than " + std::to_string(kind.most_bytes >> 20) + " MB, more than any " +
+    if (content.size() > kind.max_bytes)
+        file.refuse("larger than " + std::to_string(kind.max_bytes >> 20) + " MB, more than any " +
                     std::string{kind.noun} + " needs: is it the right file?");
     return content;
 }

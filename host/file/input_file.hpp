@@ -11,14 +11,14 @@ namespace kfast {
 inline constexpr std::size_t input_limit = std::size_t{16} << 20;
 
 /// Much less than of a compiled scene, for a parsed text takes up to 90 times its size in memory.
-inline constexpr std::size_t most_scene_text_bytes = std::size_t{4} << 20;
+inline constexpr std::size_t max_scene_text_bytes = std::size_t{4} << 20;
 
 /// What a file is to be, for the messages.
 struct InputKind {
     std::string_view noun;   ///< "scene"
     std::string_view files;  ///< which files are such: "a .kfast or .kfb file"
     std::string_view begins; ///< what would stand in it: "a scene begins with …"
-    std::size_t most_bytes = input_limit;
+    std::size_t max_bytes = input_limit;
 };
 
 /// What a scene is loaded from.

@@ -61,9 +61,9 @@ void check_memory(const std::string& what, std::size_t used, std::size_t availab
 
 void check_bus(const Target& target, std::vector<std::string>& weaknesses)
 {
-    const double most = std::floor(target.bus.clock / bits_of_point);
-    if (target.beam->rate > most)
-        weaknesses.push_back("bus: it takes " + std::to_string(static_cast<std::uint32_t>(most)) +
+    const double max = std::floor(target.bus.clock / bits_of_point);
+    if (target.beam->rate > max)
+        weaknesses.push_back("bus: it takes " + std::to_string(static_cast<std::uint32_t>(max)) +
                              " points a second, but the beam has " + std::to_string(target.beam->rate) +
                              "; choose a lower rate= or a faster clock=");
 }
@@ -78,7 +78,7 @@ void check_pictures(const BeamFit& fit, const Target& target, std::vector<std::s
                          std::to_string(fit.pictures.size()) + " cannot be drawn whole, that of frame " +
                          frame_text(first->moment) +
                          " for one; draw fewer lines, or choose a lower least-refresh= (" +
-                         std::to_string(target.beam->least_refresh) + " now) or a higher rate=");
+                         std::to_string(target.beam->min_refresh) + " now) or a higher rate=");
 }
 
 void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
@@ -97,21 +97,21 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
 /// Of those that are drawn whole: the others are a reason not to fit.
 void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
 {
-    int most = 0;
+    int max = 0;
     std::size_t hasty = 0;
     for (const BeamMoment& picture : fit.pictures)
         if (picture.report.is_complete && picture.report.haste > 0) {
             ++hasty;
-            most = std::max<int>(most, picture.report.haste);
+            max = std::max<int>(max, picture.report.haste);
         }
     if (hasty == 0)
         return;
     std::array<char, 16> factor{};
-    std::snprintf(factor.data(), factor.size(), "%.1f", std::exp2(most / 4.0));
+    std::snprintf(factor.data(), factor.size(), "%.1f", std::exp2(max / 4.0));
     notes.push_back(counted(hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
                     " are drawn faster than the profile has it, up to " + factor.data() +
                     " times: lines are darker" +
-                    (most > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+                    (max > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
 }
 
 void note_hatchings(const BeamFit& fit, std::vector<std::string>& notes)
@@ -128,7 +128,7 @@ void note_hatchings(const BeamFit& fit, std::vector<std::string>& notes)
 void note_room(const Target& target, std::vector<std::string>& notes)
 {
     const std::uint32_t room = room_for_points(target);
-    const std::uint32_t wanted = target.beam->rate / std::max<std::uint32_t>(target.beam->least_refresh, 1);
+    const std::uint32_t wanted = target.beam->rate / std::max<std::uint32_t>(target.beam->min_refresh, 1);
     if (room < wanted)
         notes.push_back("a buffer holds " + std::to_string(room) + " points, but the beam has time for " +
                         std::to_string(wanted) + " in a picture");
@@ -162,7 +162,7 @@ double refresh(const BeamMoment& picture, const BeamProfile& profile)
 }
 
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
-                 const std::stop_token& stop, const TellWork& tell)
+                 const std::stop_token& stop, const ProgressCallback& tell)
 {
     const double cycles = target.cycles != 0 ? target.cycles : costs_of(target.processor).cycles;
     BeamFit fit;

@@ -5,7 +5,7 @@
 #include "host/fit/fit_stop.hpp"
 #include "host/fit/memory_need.hpp"
 #include "host/fit/target.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +51,6 @@ double refresh(const BeamMoment& picture, const BeamProfile& profile);
 /// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
 /// Throws FitStopped.
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
-                 const std::stop_token& stop = {}, const TellWork& tell = tell_nobody);
+                 const std::stop_token& stop = {}, const ProgressCallback& tell = tell_nobody);
 
 }

@@ -8,7 +8,7 @@
 namespace kfast::fit {
 namespace {
 
-int frames_in_turn(const Stretch& stretch)
+int frames_in_turn(const PlayRange& stretch)
 {
     const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
@@ -17,9 +17,8 @@ int frames_in_turn(const Stretch& stretch)
 }
 
 BeamRun::BeamRun(const SceneView& scene, const Target& target)
-    : stretch_{stretch_of(scene)}, frames_{frames_in_turn(stretch_)}, stride_{(frames_ + most_frames - 1) /
-                                                                              most_frames},
-      block_{BeamPlayer::block_bytes(scene, *target.beam)},
+    : stretch_{play_range_of(scene)}, frames_{frames_in_turn(stretch_)},
+      stride_{(frames_ + max_frames - 1) / max_frames}, block_{BeamPlayer::block_bytes(scene, *target.beam)},
       player_{*BeamPlayer::create(scene, *target.beam, room_for_points(target), block_.bytes())}, inputs_{
                                                                                                       player_}
 {
@@ -54,7 +53,7 @@ void BeamRun::visit_busy(const VisitPicture& visit)
     }
     inputs_.put_noise(0);
     show(moment_of(0), visit);
-    inputs_.put_usual();
+    inputs_.put_default();
 }
 
 void BeamRun::show(Time moment, const VisitPicture& visit)

@@ -25,10 +25,10 @@ struct BeamPicture {
 using VisitPicture = std::function<void(const BeamPicture&)>;
 
 /// Plays one turn of a scene as a board with a beam does, in steps of a frame. Of a scene that is longer than
-/// `most_frames`, some frames are left out.
+/// `max_frames`, some frames are left out.
 class BeamRun {
 public:
-    static constexpr int most_frames = 4096;
+    static constexpr int max_frames = 4096;
 
     /// `scene` must outlive it. `target` has a beam.
     BeamRun(const SceneView& scene, const Target& target);
@@ -47,7 +47,7 @@ private:
     void show(Time moment, const VisitPicture& visit);
     Time moment_of(int frame) const;
 
-    Stretch stretch_;
+    PlayRange stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;
     WordBlock block_;

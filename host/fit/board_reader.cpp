@@ -104,8 +104,8 @@ bool read_core(const kdl::Node& node, Target& target, Report& report)
 {
     const kdl::Value& name = node.arguments.front();
     const bool has_clock = read_properties(node, core_rules, target, report);
-    if (const auto remedy = name.string() == nullptr ? std::nullopt : other_core_text(*name.string()))
-        return report.error(name.place, "unknown core " + in_quotes(*name.string()), *remedy);
+    if (const auto hint = name.string() == nullptr ? std::nullopt : other_core_text(*name.string()))
+        return report.error(name.place, "unknown core " + in_quotes(*name.string()), *hint);
     if (!assign(read_word(name, processor_words, report), target.processor))
         return false;
     target.processor_name = *name.string();
@@ -186,9 +186,9 @@ void require_display(const kdl::Node& node, const Target& target, Report& report
     if (!has_beam)
         require_part(panel_form, node, report);
     else if (has_part(node, panel_form.name))
-        report.error(node.name_place, "this board has both a panel and a beam", "leave one of them out");
+        report.error(node.name_span, "this board has both a panel and a beam", "leave one of them out");
     if (target.bus.clock != 0 && has_beam != (target.bus.kind == BusKind::dac))
-        report.error(node.name_place,
+        report.error(node.name_span,
                      has_beam ? "a beam needs the bus of a converter" : "this bus has no panel",
                      has_beam ? "bus dac clock=(MHz)20" : "beam scope");
 }

@@ -81,12 +81,12 @@ private:
 
 }
 
-ToldDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame)
+ReceivedDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame)
 {
     const DrawingInput limits = scene.input(number).drawing;
-    const Box box = box_of(scene, scene.drawing(limits.usual));
+    const Box box = box_of(scene, scene.drawing(limits.default_value));
     Heights heights{bustle, frame};
-    ToldDrawing drawing(limits.strokes);
+    ReceivedDrawing drawing(limits.strokes);
     for (std::size_t point = 0; point < limits.points; ++point)
         drawing[point * limits.strokes / limits.points].push_back(
             {box.x.at(point, limits.points - 1), box.y.at(heights.next(), Heights::levels)});

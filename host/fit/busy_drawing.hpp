@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 
 #include <cstdint>
 
@@ -16,6 +16,6 @@ enum class Bustle : std::uint8_t {
 /// What may be told to the input `number` of the scene, a drawing: all the points that it takes, in as many
 /// strokes, from the left to the right of its usual drawing, or of the canvas where that has no extent.
 /// Another one for each `frame`, always the same.
-ToldDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame);
+ReceivedDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame);
 
 }

@@ -6,10 +6,11 @@
 
 namespace kfast::fit {
 
-BusyInputs::BusyInputs(LiveScene& player) : player_{player}, texts_{long_texts(player.scene())}
+BusyInputs::BusyInputs(SceneState& player) : player_{player}, texts_{long_texts(player.scene())}
 {
     for (std::uint32_t input = 0; input < player.scene().input_count(); ++input)
-        usual_drawings_.push_back(is_drawing(input) ? told_drawing(player_.drawing(input)) : ToldDrawing{});
+        default_drawings_.push_back(is_drawing(input) ? received_drawing(player_.drawing(input))
+                                                      : ReceivedDrawing{});
 }
 
 void BusyInputs::put(int frame)
@@ -46,18 +47,18 @@ void BusyInputs::put_noise(int frame)
             put_drawing(input, Bustle::noise, frame);
 }
 
-void BusyInputs::put_usual()
+void BusyInputs::put_default()
 {
     std::uint32_t number = 0;
     for (InputCursor inputs = player_.scene().inputs(); !inputs.at_end(); ++number) {
         const InputView input = inputs.next();
         if (input.type == InputType::number)
-            player_.set_input(number, input.place_of(input.usual));
+            player_.set_input(number, input.place_of(input.default_value));
         else if (input.type == InputType::drawing)
-            player_.set_drawing(number, strokes_of(usual_drawings_[number]));
+            player_.set_drawing(number, strokes_of(default_drawings_[number]));
     }
     for (const LongText& text : texts_)
-        player_.set_text(text.input, text.usual);
+        player_.set_text(text.input, text.default_value);
 }
 
 void BusyInputs::put_drawing(std::uint32_t input, Bustle bustle, int frame)
@@ -81,13 +82,13 @@ std::vector<BusyInputs::LongText> BusyInputs::long_texts(const SceneView& scene)
             continue;
         const TextInput& text = input.text;
         std::vector<std::size_t> points = glyph_points(scene, number, text);
-        const auto take_most = [&] {
-            const auto most = std::ranges::max_element(points);
-            *most = 0;
-            return full_text(text, static_cast<std::uint32_t>(most - points.begin()));
+        const auto take_max = [&] {
+            const auto max = std::ranges::max_element(points);
+            *max = 0;
+            return full_text(text, static_cast<std::uint32_t>(max - points.begin()));
         };
-        const std::string first = take_most();
-        texts.push_back({number, {first, take_most()}, usual_text(text)});
+        const std::string first = take_max();
+        texts.push_back({number, {first, take_max()}, default_text(text)});
     }
     return texts;
 }

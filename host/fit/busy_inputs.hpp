@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "host/fit/busy_drawing.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ public:
     static constexpr int turn = 64;
 
     /// `player` has the usual inputs, and must outlive it.
-    explicit BusyInputs(LiveScene& player);
+    explicit BusyInputs(SceneState& player);
 
     /// Numbers go there and back, each faster than the one before; drawings wave (Bustle::waves); texts
     /// change with every frame, from as many of the character with most points as there may be to as many of
@@ -28,14 +28,14 @@ public:
     void put_all(Time place);
     /// Drawings are noise.
     void put_noise(int frame);
-    void put_usual();
+    void put_default();
 
 private:
     /// What a text of the scene is in turn.
     struct LongText {
         std::uint32_t input;
         std::array<std::string, 2> texts;
-        std::string usual;
+        std::string default_value;
     };
 
     static std::vector<LongText> long_texts(const SceneView& scene);
@@ -46,9 +46,9 @@ private:
     void put_drawing(std::uint32_t input, Bustle bustle, int frame);
     void put_texts(int frame);
 
-    LiveScene& player_;
+    SceneState& player_;
     std::vector<LongText> texts_;
-    std::vector<ToldDrawing> usual_drawings_; ///< of each input; empty of numbers
+    std::vector<ReceivedDrawing> default_drawings_; ///< of each input; empty of numbers
 };
 
 }

@@ -52,9 +52,9 @@ std::optional<Display> named_display(const kdl::Value& value, Report& report)
         return std::nullopt;
     if (const Display* const display = display_named(*name))
         return *display;
-    const std::string remedy = other_panel_text(*name).value_or(
+    const std::string hint = other_panel_text(*name).value_or(
         display_suggestion(*name) + ", or describe it: panel 240 240 format=rgb565");
-    report.error(value.place, "unknown panel " + in_quotes(*name), remedy);
+    report.error(value.place, "unknown panel " + in_quotes(*name), hint);
     return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ bool is_in_steps(const kdl::Node& node, const Display& display, Report& report)
     const Size step = display.granularity;
     if (display.size.width % step.width == 0 && display.size.height % step.height == 0)
         return true;
-    return report.error(node.name_place,
+    return report.error(node.name_span,
                         "the bytes of this panel hold " + std::to_string(step.width) + " x " +
                             std::to_string(step.height) + " pixels",
                         "let its sides be multiples of that");
@@ -93,7 +93,7 @@ std::optional<Display> read_display(const kdl::Node& node, Report& report)
     if (!display)
         return std::nullopt;
     if (values.size() != 2 && !(is_named && values.empty())) {
-        report.error(node.name_place, "a panel has a width and a height",
+        report.error(node.name_span, "a panel has a width and a height",
                      "write panel st7789, panel st7789 240 320 or panel 240 240 format=rgb565");
         return std::nullopt;
     }

@@ -40,12 +40,12 @@ void check_ram(const FitReport& report, const Target& target, std::vector<std::s
 
 void check_bands(const Target& target, std::vector<std::string>& shortages)
 {
-    const std::size_t least = least_band(target.display);
-    if (target.band_bytes >= least)
+    const std::size_t min = min_band(target.display);
+    if (target.band_bytes >= min)
         return;
     const auto rows = static_cast<std::size_t>(target.display.granularity.height);
     shortages.push_back("bands: each has " + bytes_text(target.band_bytes) + ", but " + counted(rows, "row") +
-                        " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(least));
+                        " of the panel " + (rows == 1 ? "takes " : "take ") + std::to_string(min));
 }
 
 void check_outlines(const FitReport& report, std::vector<std::string>& shortages)
@@ -134,9 +134,9 @@ void note_features(const FitReport& report, const Target& target, std::vector<st
 void note_link(const FitReport& report, std::vector<std::string>& notes)
 {
     for (const LinkUpdate& update : report.link)
-        if (update.most_per_second() * slack < report.wanted_rate)
+        if (update.max_per_second() * slack < report.wanted_rate)
             notes.push_back("telling " + update.what + " takes " + counted(update.reports, "report") +
-                            ", so that " + rate_text(update.most_per_second()) + " can be told by USB, not " +
+                            ", so that " + rate_text(update.max_per_second()) + " can be told by USB, not " +
                             rate_text(report.wanted_rate));
 }
 

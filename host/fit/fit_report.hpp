@@ -5,7 +5,7 @@
 #include "host/fit/memory_need.hpp"
 #include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <span>
 #include <string>
@@ -21,7 +21,7 @@ struct FitWish {
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
     std::stop_token stop = {};    ///< tells when it is not wanted any more
-    TellWork tell = tell_nobody;
+    ProgressCallback tell = tell_nobody;
 };
 
 /// Whether a scene fits a board, and how fast it plays there.

@@ -9,14 +9,14 @@ namespace {
 
 LinkUpdate update_of_text(const InputView& input)
 {
-    static_assert(kfb::max_text <= link::Text::most, "any text is one report");
+    static_assert(kfb::max_text <= link::Text::max, "any text is one report");
     return {std::string{input.name} + ", a text", 1};
 }
 
 /// The pen is lifted between strokes.
 LinkUpdate update_of_drawing(const InputView& input)
 {
-    const auto& [strokes, points, usual] = input.drawing;
+    const auto& [strokes, points, default_value] = input.drawing;
     return {std::string{input.name} + ", " + counted(points, "point") + " in " + counted(strokes, "stroke"),
             link::reports_of_drawing(points + strokes - 1)};
 }
@@ -38,7 +38,7 @@ std::vector<LinkUpdate> link_need(const SceneView& scene)
     }
     std::vector<LinkUpdate> all;
     if (numbers != 0)
-        all.push_back({counted(numbers, "number"), (numbers + link::Inputs::most - 1) / link::Inputs::most});
+        all.push_back({counted(numbers, "number"), (numbers + link::Inputs::max - 1) / link::Inputs::max});
     all.insert(all.end(), others.begin(), others.end());
     return all;
 }

@@ -16,7 +16,7 @@ struct LinkUpdate {
     std::string what;        ///< "13 numbers", "plot, 200 points in 1 stroke"
     std::size_t reports = 0; ///< for all of it
 
-    double most_per_second() const { return reports_per_second / static_cast<double>(reports); }
+    double max_per_second() const { return reports_per_second / static_cast<double>(reports); }
 };
 
 /// All numbers at once, if the scene has some, and each drawing with all of its points.

@@ -47,7 +47,7 @@ RamNeed ram_need(const SceneView& scene, const Target& target)
             std::max(costs.stack, stack_bound), target.reserved_ram()};
 }
 
-std::size_t least_band(const Display& display)
+std::size_t min_band(const Display& display)
 {
     return row_bytes(display.format, display.size.width) *
            static_cast<std::size_t>(display.granularity.height);

@@ -45,6 +45,6 @@ std::size_t player_code(FeatureSet features, Processor processor);
 FlashNeed flash_need(const SceneView& scene, const Target& target);
 RamNeed ram_need(const SceneView& scene, const Target& target);
 /// Of one of the bands: a row of the panel, or as many as it takes together.
-std::size_t least_band(const Display& display);
+std::size_t min_band(const Display& display);
 
 }

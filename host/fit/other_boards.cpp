@@ -193,7 +193,7 @@ std::optional<std::string> other_board_text(std::string_view name)
     if (board == nullptr)
         return std::nullopt;
     const std::string what{board->name.what};
-    return board->core.empty() ? what + ' ' + std::string{board->name.remedy}
+    return board->core.empty() ? what + ' ' + std::string{board->name.hint}
                                : what + " is not supported yet: there is no firmware for it";
 }
 
@@ -208,7 +208,7 @@ std::optional<std::string> other_board_advice(std::string_view name)
     const std::string file = file_name_of(board) + ".kdl";
     return *text + ". What plays there is the library, in a program of your own (docs/packages.md).\n" +
            "For an estimate write these lines into " + file + ", and take --board " + file + ";\n" +
-           std::string{board.name.remedy} + ".\n\n" + board_file(board);
+           std::string{board.name.hint} + ".\n\n" + board_file(board);
 }
 
 std::optional<std::string> other_core_text(std::string_view name)
@@ -216,7 +216,7 @@ std::optional<std::string> other_core_text(std::string_view name)
     const auto* const core =
         std::ranges::find_if(cores, [name](const OtherName& other) { return is_called(other, name); });
     return core == cores.end() ? std::nullopt
-                               : std::optional{std::string{core->what} + ' ' + std::string{core->remedy}};
+                               : std::optional{std::string{core->what} + ' ' + std::string{core->hint}};
 }
 
 }

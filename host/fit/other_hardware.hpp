@@ -14,7 +14,7 @@ struct OtherName {
     std::string_view names; ///< as they are asked for, with spaces between them: "pico2 pico2w rp2350"
     std::string_view what;  ///< "a Pico 2 (RP2350, Cortex-M33)"
     std::string_view
-        remedy; ///< how the sentence goes on; of a board that can be described, which costs it takes
+        hint; ///< how the sentence goes on; of a board that can be described, which costs it takes
 };
 
 /// A board that has another chip than those that there is firmware for.

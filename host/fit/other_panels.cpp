@@ -45,7 +45,7 @@ std::optional<std::string> other_panel_text(std::string_view name)
         std::ranges::find_if(panels, [name](const OtherName& other) { return is_called(other, name); });
     if (panel == panels.end())
         return std::nullopt;
-    return std::string{panel->what} + ' ' + std::string{panel->remedy};
+    return std::string{panel->what} + ' ' + std::string{panel->hint};
 }
 
 std::optional<std::string> undriven_panel_text(std::string_view name)

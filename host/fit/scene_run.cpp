@@ -6,15 +6,15 @@ namespace kfast::fit {
 namespace {
 
 /// As the scene says, but what would end comes round again: it may be played again at any time.
-Stretch steady_stretch(const SceneView& scene)
+PlayRange steady_stretch(const SceneView& scene)
 {
-    Stretch stretch = stretch_of(scene);
+    PlayRange stretch = play_range_of(scene);
     if (stretch.loop == Loop::once)
         stretch.loop = Loop::repeat;
     return stretch;
 }
 
-int frames_in_turn(const Stretch& stretch)
+int frames_in_turn(const PlayRange& stretch)
 {
     const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
@@ -24,9 +24,9 @@ int frames_in_turn(const Stretch& stretch)
 std::vector<std::byte> band_for(const Target& target)
 {
     const Display& display = target.display;
-    const std::size_t least =
+    const std::size_t min =
         row_bytes(display.format, display.size.width) * static_cast<std::size_t>(display.granularity.height);
-    return std::vector<std::byte>(std::max(target.band_bytes, least));
+    return std::vector<std::byte>(std::max(target.band_bytes, min));
 }
 
 }
@@ -41,7 +41,7 @@ WorkCount FrameWork::work() const
 
 SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
     : target_{target}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(stretch_)},
-      stride_{(frames_ + most_frames - 1) / most_frames},
+      stride_{(frames_ + max_frames - 1) / max_frames},
       block_{Player::block_bytes(scene, target.display.size)}, band_{band_for(target)},
       player_{*Player::create(scene, target.display.size, fit, block_.bytes())}, inputs_{player_}
 {
@@ -69,7 +69,7 @@ void SceneRun::visit_presses(const VisitFrame& visit)
         return;
     for (const Time place : {Time{}, whole_input, Time{}})
         put_inputs_and_draw(place, visit);
-    inputs_.put_usual();
+    inputs_.put_default();
 }
 
 void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
@@ -85,7 +85,7 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
         inputs_.put(frame);
         draw(moment_of(frame % frames_, {}), visit);
     }
-    inputs_.put_usual();
+    inputs_.put_default();
 }
 
 std::size_t SceneRun::frames_of_all() const
@@ -96,13 +96,13 @@ std::size_t SceneRun::frames_of_all() const
 
 void SceneRun::visit_noise(const VisitFrame& visit)
 {
-    if (LiveDrawings::bytes_for(player_.scene()) == 0)
+    if (InputDrawings::bytes_for(player_.scene()) == 0)
         return;
     inputs_.put_noise(0);
     draw(moment_of(0, {}), [](const FrameWork&) {});
     inputs_.put_noise(1);
     draw(moment_of(0, {}), visit);
-    inputs_.put_usual();
+    inputs_.put_default();
 }
 
 void SceneRun::put_inputs_and_draw(Time place, const VisitFrame& visit)

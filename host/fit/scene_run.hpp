@@ -32,10 +32,10 @@ struct FrameWork {
 using VisitFrame = std::function<void(const FrameWork&)>;
 
 /// Plays one turn of a scene as a board does, in steps of a frame, and calls visit() for every frame. Of a
-/// scene that is longer than `most_frames`, some frames are left out.
+/// scene that is longer than `max_frames`, some frames are left out.
 class SceneRun {
 public:
-    static constexpr int most_frames = 4096;
+    static constexpr int max_frames = 4096;
 
     /// `scene` and `target` must outlive it.
     SceneRun(const SceneView& scene, const Target& target, Fit fit);
@@ -68,7 +68,7 @@ private:
     Time moment_of(int frame, Time offset) const;
 
     const Target& target_;
-    Stretch stretch_;
+    PlayRange stretch_;
     int frames_; ///< until the picture comes round again
     int stride_;
     WordBlock block_;

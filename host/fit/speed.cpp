@@ -69,7 +69,7 @@ Limits limits_of(const std::vector<FrameCost>& frames, double FrameCost::*second
 }
 
 Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop,
-                     const TellWork& tell)
+                     const ProgressCallback& tell)
 {
     Speed speed;
     SpeedMeter meter{target, stop, speed};

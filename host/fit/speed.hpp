@@ -7,7 +7,7 @@
 #include "host/fit/frame_cost.hpp"
 #include "host/fit/largest_outlines.hpp"
 #include "host/fit/target.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,6 +52,6 @@ struct Speed {
 
 /// Throws FitStopped.
 Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop,
-                     const TellWork& tell);
+                     const ProgressCallback& tell);
 
 }

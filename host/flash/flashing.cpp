@@ -33,7 +33,7 @@ Bytes read_sector(BootLoader& boot_loader, std::uint32_t address)
 }
 
 /// Throws Failure with not_verified, whose text ends with `remedy`.
-void require_sector(BootLoader& boot_loader, const Sector& expected, const char* remedy)
+void require_sector(BootLoader& boot_loader, const Sector& expected, const char* hint)
 {
     const Bytes found = read_sector(boot_loader, expected.address);
     const auto [wanted, there] = std::ranges::mismatch(expected.bytes, found);
@@ -42,7 +42,7 @@ void require_sector(BootLoader& boot_loader, const Sector& expected, const char*
     const auto address =
         expected.address + static_cast<std::uint32_t>(std::distance(expected.bytes.begin(), wanted));
     throw Failure{"flash is not what it should be at " + hex_text(address) + ": expected " +
-                      in_words(*wanted) + ", found " + in_words(*there) + ": " + remedy,
+                      in_words(*wanted) + ", found " + in_words(*there) + ": " + hint,
                   ExitStatus::not_verified};
 }
 
@@ -60,7 +60,7 @@ void write_sector(BootLoader& boot_loader, const Sector& sector)
 class Writing {
 public:
     Writing(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,
-            const TellFlashing& tell)
+            const FlashProgressCallback& tell)
         : boot_loader_{boot_loader}, first_{image.sectors().front()}, tell_{tell}
     {
         for (const std::size_t index : sectors)
@@ -124,13 +124,13 @@ private:
     BootLoader& boot_loader_;
     const Sector& first_;
     std::vector<const Sector*> others_;
-    const TellFlashing& tell_;
+    const FlashProgressCallback& tell_;
 };
 
 }
 
 std::vector<std::size_t> differing_sectors(BootLoader& boot_loader, const FlashImage& image,
-                                           const TellFlashing& tell)
+                                           const FlashProgressCallback& tell)
 {
     const auto sectors = image.sectors();
     std::vector<std::size_t> differing;
@@ -145,13 +145,13 @@ std::vector<std::size_t> differing_sectors(BootLoader& boot_loader, const FlashI
 }
 
 void write_sectors(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,
-                   const TellFlashing& tell)
+                   const FlashProgressCallback& tell)
 {
     if (!sectors.empty())
         Writing{boot_loader, image, sectors, tell}.run();
 }
 
-void verify(BootLoader& boot_loader, const FlashImage& image, const TellFlashing& tell)
+void verify(BootLoader& boot_loader, const FlashImage& image, const FlashProgressCallback& tell)
 {
     const auto sectors = image.sectors();
     for (std::size_t index = 0; index < sectors.size(); ++index) {

@@ -138,7 +138,7 @@ public:
     /// Ends what a copy that was broken off may have begun.
     std::vector<std::byte> forgetting()
     {
-        constexpr std::array<std::byte, Uf2Block::usual_payload> nothing{};
+        constexpr std::array<std::byte, Uf2Block::default_payload> nothing{};
         ByteWriter step;
         for (std::size_t block = 0; block < Uf2Block::per_sector; ++block)
             write_uf2_block(step, {.family = rp2040_family, .payload = nothing});
@@ -201,7 +201,7 @@ Uf2Drive uf2_drive_at(const fs::path& folder)
     return *drive;
 }
 
-void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const TellFlashing& tell)
+void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashProgressCallback& tell)
 {
     const auto sectors = image.sectors();
     if (sectors.empty())

@@ -17,7 +17,7 @@ constexpr double longest = 1e9;
 
 double usable_radius(double radius) { return std::min(std::abs(radius), longest); }
 
-Spot turned(Spot spot, double cosine, double sine)
+Vec2 turned(Vec2 spot, double cosine, double sine)
 {
     return {cosine * spot.x - sine * spot.y, sine * spot.x + cosine * spot.y};
 }
@@ -30,10 +30,10 @@ public:
           sine_{std::sin(arc.rotation * std::numbers::pi / 180)}, radii_{usable_radius(arc.radius_x),
                                                                          usable_radius(arc.radius_y)}
     {
-        const Spot half = turned(0.5 * (arc.from - arc.to), cosine_, -sine_);
+        const Vec2 half = turned(0.5 * (arc.from - arc.to), cosine_, -sine_);
         const double stretch = std::hypot(half.x / radii_.x, half.y / radii_.y);
         radii_ = std::max(1.0, stretch) * radii_;
-        const Spot centre = centre_from_chord({half.x / radii_.x, half.y / radii_.y}, arc.large != arc.sweep);
+        const Vec2 centre = centre_from_chord({half.x / radii_.x, half.y / radii_.y}, arc.large != arc.sweep);
         start_ = std::atan2(half.y / radii_.y - centre.y, half.x / radii_.x - centre.x);
         const double end = std::atan2(-half.y / radii_.y - centre.y, -half.x / radii_.x - centre.x);
         extent_ = signed_extent(end - start_, arc.sweep);
@@ -53,11 +53,11 @@ public:
 
 private:
     /// On the unit circle, with the chord from `half` to -half.
-    static Spot centre_from_chord(Spot half, bool clockwise_of_chord)
+    static Vec2 centre_from_chord(Vec2 half, bool clockwise_of_chord)
     {
         const double square = half.x * half.x + half.y * half.y;
         const double away = std::sqrt(std::max(0.0, 1 / square - 1));
-        const Spot centre{away * half.y, -away * half.x};
+        const Vec2 centre{away * half.y, -away * half.x};
         return clockwise_of_chord ? centre : -1.0 * centre;
     }
 
@@ -78,15 +78,15 @@ private:
         return cubic_to(on_canvas(unit.c1), on_canvas(unit.c2), on_canvas(unit.to));
     }
 
-    Spot on_canvas(Spot unit) const
+    Vec2 on_canvas(Vec2 unit) const
     {
         return centre_ + turned({radii_.x * unit.x, radii_.y * unit.y}, cosine_, sine_);
     }
 
     double cosine_;
     double sine_;
-    Spot radii_;
-    Spot centre_;
+    Vec2 radii_;
+    Vec2 centre_;
     double start_ = 0;
     double extent_ = 0;
 };
@@ -95,7 +95,7 @@ private:
 
 std::vector<Curve> curves_of(const Arc& arc)
 {
-    const Spot chord = arc.to - arc.from;
+    const Vec2 chord = arc.to - arc.from;
     if (std::min({std::abs(arc.radius_x), std::abs(arc.radius_y), std::hypot(chord.x, chord.y)}) < shortest)
         return {line_to(arc.to)};
     std::vector<Curve> curves = Ellipse{arc}.curves();

@@ -8,8 +8,8 @@ namespace kfast::scene {
 
 /// The arc of SVG's path command A: a piece of an ellipse between two given points.
 struct Arc {
-    Spot from;
-    Spot to;
+    Vec2 from;
+    Vec2 to;
     double radius_x = 0;
     double radius_y = 0;
     double rotation = 0; ///< of the ellipse's x axis, degrees, clockwise on the screen

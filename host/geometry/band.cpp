@@ -7,23 +7,23 @@ namespace kfast::scene {
 namespace {
 
 /// Of length 1, to the left of the way from `a` to `b`.
-Spot left_of(Spot a, Spot b)
+Vec2 left_of(Vec2 a, Vec2 b)
 {
-    const Spot way = b - a;
-    return (1 / distance(a, b)) * Spot{way.y, -way.x};
+    const Vec2 way = b - a;
+    return (1 / distance(a, b)) * Vec2{way.y, -way.x};
 }
 
 /// Where the band is 1 px wide on either side of a node between two segments, of which these are the normals.
-Spot mitre(Spot before, Spot after)
+Vec2 mitre(Vec2 before, Vec2 after)
 {
-    const Spot sum = before + after;
+    const Vec2 sum = before + after;
     const double size = distance({}, sum);
     if (size < 1e-6) // the band turns back on itself
         return before;
     return std::min(2 / size, 2.0) / size * sum;
 }
 
-Spot normal_at(std::span<const Spot> nodes, std::size_t i)
+Vec2 normal_at(std::span<const Vec2> nodes, std::size_t i)
 {
     const std::size_t last = nodes.size() - 1;
     if (i == 0)
@@ -35,11 +35,11 @@ Spot normal_at(std::span<const Spot> nodes, std::size_t i)
 
 }
 
-BandSides sides_of_band(std::span<const Spot> nodes, std::span<const double> widths)
+BandSides sides_of_band(std::span<const Vec2> nodes, std::span<const double> widths)
 {
     BandSides sides;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Spot away = widths[i] / 2 * normal_at(nodes, i);
+        const Vec2 away = widths[i] / 2 * normal_at(nodes, i);
         sides.left.push_back(nodes[i] + away);
         sides.right.push_back(nodes[i] - away);
     }

@@ -50,11 +50,11 @@ inline std::size_t point_count(const Drawing& drawing)
 }
 
 /// In a drawing: one where a stroke begins and one for each of its segments.
-inline constexpr std::size_t most_points = kfb::max_drawing_points;
+inline constexpr std::size_t max_points = kfb::max_drawing_points;
 
 inline std::string too_many_points()
 {
-    return "a drawing holds at most " + std::to_string(most_points) + " points";
+    return "a drawing holds at most " + std::to_string(max_points) + " points";
 }
 
 }

@@ -7,7 +7,7 @@
 namespace kfast::scene {
 namespace {
 
-std::vector<Edge> without_doubles(const std::vector<Edge>& edges)
+std::vector<Edge> without_duplicates(const std::vector<Edge>& edges)
 {
     std::set<std::pair<std::size_t, std::size_t>> known;
     std::vector<Edge> once;
@@ -19,7 +19,7 @@ std::vector<Edge> without_doubles(const std::vector<Edge>& edges)
 
 }
 
-Mesh cuboid(const SpaceSpot& corner, double width, double height, double depth)
+Mesh cuboid(const Vec3& corner, double width, double height, double depth)
 {
     Mesh mesh;
     for (const double z : {corner.z, corner.z + depth}) { // each end clockwise from the upper left
@@ -38,7 +38,7 @@ Mesh cuboid(const SpaceSpot& corner, double width, double height, double depth)
 std::vector<Wire> wires_of(const Mesh& mesh)
 {
     std::vector<Wire> wires;
-    for (const Trail& trail : edge_trails(mesh.vertices.size(), without_doubles(mesh.edges))) {
+    for (const Trail& trail : edge_trails(mesh.vertices.size(), without_duplicates(mesh.edges))) {
         Wire& wire = wires.emplace_back();
         for (const std::size_t vertex : trail)
             wire.push_back(mesh.vertices[vertex]);

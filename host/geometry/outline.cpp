@@ -7,7 +7,7 @@
 namespace kfast::scene {
 namespace {
 
-Point rounded(Spot spot) { return {to_sixteenths(spot.x), to_sixteenths(spot.y)}; }
+Point rounded(Vec2 spot) { return {to_sixteenths(spot.x), to_sixteenths(spot.y)}; }
 
 Segment rounded(const Curve& curve)
 {
@@ -31,7 +31,7 @@ void append(Stroke& stroke, Point& end, const Segment& segment)
 
 }
 
-bool in_range(Spot spot) { return in_range(spot.x) && in_range(spot.y); }
+bool in_range(Vec2 spot) { return in_range(spot.x) && in_range(spot.y); }
 
 bool in_range(const Curve& curve)
 {

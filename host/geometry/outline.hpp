@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/geometry/drawing.hpp"
-#include "host/geometry/spot.hpp"
+#include "host/geometry/vec2.hpp"
 
 #include <optional>
 #include <vector>
@@ -11,17 +11,17 @@ namespace kfast::scene {
 /// A line or a cubic Bézier from wherever the one before it ended; lines ignore c1 and c2.
 struct Curve {
     bool cubic = false;
-    Spot c1;
-    Spot c2;
-    Spot to;
+    Vec2 c1;
+    Vec2 c2;
+    Vec2 to;
 };
 
-constexpr Curve line_to(Spot to) { return {.cubic = false, .c1 = {}, .c2 = {}, .to = to}; }
+constexpr Curve line_to(Vec2 to) { return {.cubic = false, .c1 = {}, .c2 = {}, .to = to}; }
 
-constexpr Curve cubic_to(Spot c1, Spot c2, Spot to) { return {.cubic = true, .c1 = c1, .c2 = c2, .to = to}; }
+constexpr Curve cubic_to(Vec2 c1, Vec2 c2, Vec2 to) { return {.cubic = true, .c1 = c1, .c2 = c2, .to = to}; }
 
 /// The cubic that is the same curve as a quadratic Bézier.
-constexpr Curve quadratic_to(Spot from, Spot control, Spot to)
+constexpr Curve quadratic_to(Vec2 from, Vec2 control, Vec2 to)
 {
     return cubic_to(from + 2.0 / 3 * (control - from), to + 2.0 / 3 * (control - to), to);
 }
@@ -29,7 +29,7 @@ constexpr Curve quadratic_to(Spot from, Spot control, Spot to)
 /// What lies between two directions from the centre of an ellipse whose axes lie along x and y. Degrees, from
 /// three o'clock, clockwise on the screen; where `to` is less than `from` it runs the other way round.
 struct Sector {
-    Spot centre;
+    Vec2 centre;
     double radius_x = 0; ///< pixels
     double radius_y = 0;
     double from = 0;
@@ -38,13 +38,13 @@ struct Sector {
 
 /// A stroke before rounding.
 struct Outline {
-    Spot from;
+    Vec2 from;
     std::vector<Curve> curves;
     bool closed = false;               ///< ends where it began, by a line of its own if need be
     std::optional<Sector> sector = {}; ///< that it goes around, or along
 };
 
-bool in_range(Spot spot);
+bool in_range(Vec2 spot);
 bool in_range(const Curve& curve);
 bool in_range(const Outline& outline);
 

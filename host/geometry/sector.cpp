@@ -8,9 +8,9 @@
 namespace kfast::scene {
 namespace {
 
-Spot on_canvas(const Sector& sector, Spot unit)
+Vec2 on_canvas(const Sector& sector, Vec2 unit)
 {
-    return sector.centre + Spot{sector.radius_x * unit.x, sector.radius_y * unit.y};
+    return sector.centre + Vec2{sector.radius_x * unit.x, sector.radius_y * unit.y};
 }
 
 Curve piece(const Sector& sector, double from, double to)
@@ -20,7 +20,7 @@ Curve piece(const Sector& sector, double from, double to)
     return cubic_to(on_canvas(sector, unit.c1), on_canvas(sector, unit.c2), on_canvas(sector, unit.to));
 }
 
-Spot begin(const Sector& sector) { return on_canvas(sector, on_unit_circle(sector.from)); }
+Vec2 begin(const Sector& sector) { return on_canvas(sector, on_unit_circle(sector.from)); }
 
 void append_arc(Outline& outline, const Sector& sector)
 {

@@ -10,15 +10,15 @@ namespace {
 constexpr double quarter_handle = 0.552284749830793398;
 
 /// A quarter of an ellipse; `corner` is where the tangents of its ends meet.
-Curve quarter(Spot from, Spot corner, Spot to)
+Curve quarter(Vec2 from, Vec2 corner, Vec2 to)
 {
     return cubic_to(from + quarter_handle * (corner - from), to + quarter_handle * (corner - to), to);
 }
 
-Outline rounded_rectangle(Spot low, Spot high, double rx, double ry)
+Outline rounded_rectangle(Vec2 low, Vec2 high, double rx, double ry)
 {
     Outline outline{.from = {low.x + rx, low.y}, .curves = {}, .closed = true};
-    const auto side_and_corner = [&](Spot side_end, Spot corner, Spot corner_end) {
+    const auto side_and_corner = [&](Vec2 side_end, Vec2 corner, Vec2 corner_end) {
         outline.curves.push_back(line_to(side_end));
         outline.curves.push_back(quarter(side_end, corner, corner_end));
     };
@@ -31,21 +31,21 @@ Outline rounded_rectangle(Spot low, Spot high, double rx, double ry)
 
 }
 
-Outline ellipse(Spot centre, double radius_x, double radius_y)
+Outline ellipse(Vec2 centre, double radius_x, double radius_y)
 {
-    const Spot right{centre.x + radius_x, centre.y};
-    const Spot bottom{centre.x, centre.y + radius_y};
-    const Spot left{centre.x - radius_x, centre.y};
-    const Spot top{centre.x, centre.y - radius_y};
+    const Vec2 right{centre.x + radius_x, centre.y};
+    const Vec2 bottom{centre.x, centre.y + radius_y};
+    const Vec2 left{centre.x - radius_x, centre.y};
+    const Vec2 top{centre.x, centre.y - radius_y};
     return {.from = right,
             .curves = {quarter(right, {right.x, bottom.y}, bottom), quarter(bottom, {left.x, bottom.y}, left),
                        quarter(left, {left.x, top.y}, top), quarter(top, {right.x, top.y}, right)},
             .closed = true};
 }
 
-Outline rectangle(Spot upper_left, double width, double height, double corner)
+Outline rectangle(Vec2 upper_left, double width, double height, double corner)
 {
-    const Spot high = upper_left + Spot{width, height};
+    const Vec2 high = upper_left + Vec2{width, height};
     if (corner > 0)
         return rounded_rectangle(upper_left, high, std::min(corner, width / 2), std::min(corner, height / 2));
     return {.from = upper_left,
@@ -53,10 +53,10 @@ Outline rectangle(Spot upper_left, double width, double height, double corner)
             .closed = true};
 }
 
-Outline polyline(std::span<const Spot> spots, bool closed)
+Outline polyline(std::span<const Vec2> spots, bool closed)
 {
     Outline outline{.from = spots.front(), .curves = {}, .closed = closed};
-    for (const Spot& spot : spots.subspan(1))
+    for (const Vec2& spot : spots.subspan(1))
         outline.curves.push_back(line_to(spot));
     return outline;
 }

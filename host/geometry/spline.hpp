@@ -16,6 +16,6 @@ namespace kfast::scene {
 /// meet; so the slope at a spot is that of the parabola through it and its neighbours, and a third of it,
 /// times the distance of the knots, is the way to the control point of the cubic Bézier, which is the same
 /// curve. The first and last piece of an open curve are parabolas: the one that there is.
-Outline spline(std::span<const Spot> spots, bool closed);
+Outline spline(std::span<const Vec2> spots, bool closed);
 
 }

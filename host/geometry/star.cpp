@@ -12,9 +12,9 @@ constexpr double twelve_o_clock = -90;
 
 }
 
-Outline star(Spot centre, int tips, double outer, double inner, double turn)
+Outline star(Vec2 centre, int tips, double outer, double inner, double turn)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     spots.reserve(static_cast<std::size_t>(2 * tips));
     for (int i = 0; i < 2 * tips; ++i)
         spots.push_back(centre + (i % 2 == 0 ? outer : inner) *
@@ -22,9 +22,9 @@ Outline star(Spot centre, int tips, double outer, double inner, double turn)
     return polyline(spots, true);
 }
 
-Outline regular_polygon(Spot centre, int corners, double radius, double turn)
+Outline regular_polygon(Vec2 centre, int corners, double radius, double turn)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     spots.reserve(static_cast<std::size_t>(corners));
     for (int i = 0; i < corners; ++i)
         spots.push_back(centre + radius * on_unit_circle(twelve_o_clock + turn + 360.0 * i / corners));

@@ -55,22 +55,22 @@ private:
     void arc(const Arguments& a);
     void close(const Arguments& a);
 
-    Spot reflected(std::string_view kinds) const;
-    void add_cubic(Spot c1, Spot c2, Spot to);
-    void add_quadratic(Spot control, Spot to);
+    Vec2 reflected(std::string_view kinds) const;
+    void add_cubic(Vec2 c1, Vec2 c2, Vec2 to);
+    void add_quadratic(Vec2 control, Vec2 to);
     void add(const Curve& curve);
     void begin_outline();
     void end_outline();
     bool count_point();
     bool reaches(double coordinate) const { return coordinate >= -limit_ && coordinate <= limit_; }
-    bool reaches(Spot spot) const { return reaches(spot.x) && reaches(spot.y); }
+    bool reaches(Vec2 spot) const { return reaches(spot.x) && reaches(spot.y); }
     bool reaches(const Curve& curve) const
     {
         return reaches(curve.to) && (!curve.cubic || (reaches(curve.c1) && reaches(curve.c2)));
     }
     std::string too_far() const;
 
-    void fail(std::size_t begin, std::string message, std::string remedy = {});
+    void fail(std::size_t begin, std::string message, std::string hint = {});
 
     PathScanner scanner_;
     std::string_view data_;
@@ -86,9 +86,9 @@ private:
     std::size_t begin_ = 0;  ///< where the command or its repeated arguments begin
     std::size_t move_begin_ = 0;
     char last_letter_ = '\0'; ///< of the command that was drawn before this one
-    Spot current_;
-    Spot start_;
-    Spot control_; ///< the last control point of the last curve
+    Vec2 current_;
+    Vec2 start_;
+    Vec2 control_; ///< the last control point of the last curve
 };
 
 const std::array<PathReader::Command, 10> PathReader::commands{{
@@ -237,18 +237,18 @@ void PathReader::close(const Arguments&)
 }
 
 /// The first control point of a smooth curve: the last one, mirrored in the current point.
-Spot PathReader::reflected(std::string_view kinds) const
+Vec2 PathReader::reflected(std::string_view kinds) const
 {
     return kinds.find(last_letter_) == std::string_view::npos ? current_ : 2 * current_ - control_;
 }
 
-void PathReader::add_cubic(Spot c1, Spot c2, Spot to)
+void PathReader::add_cubic(Vec2 c1, Vec2 c2, Vec2 to)
 {
     add(cubic_to(c1, c2, to));
     control_ = c2;
 }
 
-void PathReader::add_quadratic(Spot control, Spot to)
+void PathReader::add_quadratic(Vec2 control, Vec2 to)
 {
     add(quadratic_to(current_, control, to));
     control_ = control;
@@ -303,11 +303,11 @@ std::string PathReader::too_far() const
 }
 
 /// From `begin` to where the scanner stands, at least one byte while there is one.
-void PathReader::fail(std::size_t begin, std::string message, std::string remedy)
+void PathReader::fail(std::size_t begin, std::string message, std::string hint)
 {
-    const std::size_t least = begin < data_.size() ? 1 : 0;
-    const std::size_t length = std::max(scanner_.offset() - begin, least);
-    findings_.error({begin, length}, std::move(message), std::move(remedy));
+    const std::size_t min = begin < data_.size() ? 1 : 0;
+    const std::size_t length = std::max(scanner_.offset() - begin, min);
+    findings_.error({begin, length}, std::move(message), std::move(hint));
     failed_ = true;
 }
 

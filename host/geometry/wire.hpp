@@ -7,14 +7,14 @@
 namespace kfast::scene {
 
 /// A place in the space of an item before rounding, in pixels; z points at the viewer.
-struct SpaceSpot {
+struct Vec3 {
     double x = 0;
     double y = 0;
     double z = 0;
 };
 
 /// Straight lines through places, of which there is at least one; closed if the last one is the first.
-using Wire = std::vector<SpaceSpot>;
+using Wire = std::vector<Vec3>;
 
 bool in_range(const Wire& wire);
 

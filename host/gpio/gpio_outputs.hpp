@@ -25,7 +25,7 @@ struct GpioLine {
 /// Through libgpiod, whichever of its APIs the build has found: 1.6 or 2.
 class GpioOutputs {
 public:
-    static constexpr std::size_t most_lines = 32;
+    static constexpr std::size_t max_lines = 32;
 
     /// `chip` is a path (/dev/gpiochip0), a name (gpiochip0) or a label (pinctrl-bcm2711); empty: the first
     /// chip that has a line of the first name, or the only chip that there is if it is an offset.

@@ -78,7 +78,7 @@ public:
 private:
     GpioChip chip_;
     gpiod_line_bulk lines_{};
-    std::array<int, most_lines> levels_{};
+    std::array<int, max_lines> levels_{};
 };
 
 GpioOutputs::GpioOutputs(const std::string& chip, std::span<const GpioLine> lines, GpioDrive drive)

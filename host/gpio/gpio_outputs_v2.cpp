@@ -114,8 +114,8 @@ public:
 
     void set(std::uint32_t which, std::uint32_t levels)
     {
-        std::array<unsigned, most_lines> offsets{};
-        std::array<gpiod_line_value, most_lines> values{};
+        std::array<unsigned, max_lines> offsets{};
+        std::array<gpiod_line_value, max_lines> values{};
         std::size_t count = 0;
         for (std::size_t i = 0; i < offsets_.size(); ++i)
             if ((which >> i & 1) != 0) {

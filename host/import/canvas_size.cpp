@@ -42,7 +42,7 @@ double share_within_reach(const art::Document& fitted, const scene_text::Reach& 
     const double share = room / std::max(is_smaller ? reach.left_alone : reach.in_groups, 1.0);
     if (!is_smaller && reach.in_groups <= longest_side) // nothing is cut
         return 1;
-    const bool is_sensible = share * std::max(fitted.width, fitted.height) >= least_longer_side;
+    const bool is_sensible = share * std::max(fitted.width, fitted.height) >= min_longer_side;
     return share < 1 && is_sensible ? share : 1;
 }
 

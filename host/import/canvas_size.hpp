@@ -13,7 +13,7 @@ namespace kfast::importing {
 inline constexpr int longest_side = 2047;
 
 /// Of the longer side of a canvas, in pixels: it is not made smaller than this for what lies beyond it.
-inline constexpr double least_longer_side = 480;
+inline constexpr double min_longer_side = 480;
 
 /// Scales the art so that its canvas just lies within `wanted`, or, where that is not given and a side is too
 /// long for a scene, within the largest canvas there is; and then by `share`. Rounds the sides to whole

@@ -33,11 +33,11 @@ std::string text_of(const Json& value)
 }
 
 /// The manifest, or nothing where there is none: the names of the files tell enough then.
-Json read_manifest(const std::string& name, const archive::ZipFile& file, std::size_t most_bytes)
+Json read_manifest(const std::string& name, const archive::ZipFile& file, std::size_t max_bytes)
 {
     if (!file.has("manifest.json"))
         return {};
-    Json manifest = Json::parse(file.content("manifest.json", most_bytes), nullptr, false);
+    Json manifest = Json::parse(file.content("manifest.json", max_bytes), nullptr, false);
     if (!manifest.is_object())
         throw Failure(name + ": manifest.json is no JSON object: pack the file again");
     return manifest;
@@ -72,11 +72,11 @@ std::vector<std::string> animations_of(const Json& manifest, const archive::ZipF
 
 std::string list_of(const std::vector<std::string>& ids)
 {
-    constexpr std::size_t most = 20;
+    constexpr std::size_t max = 20;
     std::string list;
-    for (std::size_t index = 0; index < std::min(ids.size(), most); ++index)
+    for (std::size_t index = 0; index < std::min(ids.size(), max); ++index)
         list.append(index == 0 ? "" : ", ").append(ids[index]);
-    return ids.size() > most ? list + ", …" : list;
+    return ids.size() > max ? list + ", …" : list;
 }
 
 /// What the manifest begins with, if that is there.
@@ -184,13 +184,13 @@ std::string path_of(const std::string& id, const archive::ZipFile& file)
 }
 
 PackedAnimation read_dot_lottie(const std::string& name, const archive::ZipFile& file,
-                                const std::string& wanted, std::size_t most_bytes, art::Losses& losses)
+                                const std::string& wanted, std::size_t max_bytes, art::Losses& losses)
 {
-    const Json manifest = read_manifest(name, file, most_bytes);
+    const Json manifest = read_manifest(name, file, max_bytes);
     const std::string id = chosen(name, wanted, manifest, animations_of(manifest, file), losses);
     const Json& facts = facts_of(id, manifest);
     report_rest(manifest, facts, losses);
-    return {file.content(path_of(id, file), most_bytes),
+    return {file.content(path_of(id, file), max_bytes),
             {.loop = read_loop(facts, losses),
              .background = read_background(facts),
              .speed = read_speed(facts, losses)}};

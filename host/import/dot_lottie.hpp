@@ -27,6 +27,6 @@ struct PackedAnimation {
 /// `wanted`, or if that is empty the one that the manifest begins with. What else it holds is added to
 /// `losses`. Throws Failure, which names the file, where there is none.
 PackedAnimation read_dot_lottie(const std::string& name, const archive::ZipFile& file,
-                                const std::string& wanted, std::size_t most_bytes, art::Losses& losses);
+                                const std::string& wanted, std::size_t max_bytes, art::Losses& losses);
 
 }

@@ -36,7 +36,7 @@ constexpr Colour paper{255, 255, 255};
 
 std::string unpacked(const std::string& name, std::string content)
 {
-    return archive::is_gzip(content) ? archive::gunzipped(name, content, most_unpacked_bytes)
+    return archive::is_gzip(content) ? archive::gunzipped(name, content, max_unpacked_bytes)
                                      : std::move(content);
 }
 
@@ -78,7 +78,7 @@ art::Document read_zip(const SourceText& source, const Options& options, art::Lo
 {
     const archive::ZipFile file{source.name, source.text};
     PackedAnimation animation =
-        read_dot_lottie(source.name, file, options.animation, most_unpacked_bytes, losses);
+        read_dot_lottie(source.name, file, options.animation, max_unpacked_bytes, losses);
     art::Document document = lottie::read_lottie({source.name, std::move(animation.text)}, losses);
     apply(animation.playing, document);
     return document;
@@ -125,8 +125,7 @@ bool names_limit(std::string_view message)
     line.erase(0, line.find_first_not_of(' '));
     const std::string message = found.message + " (" + line + ')';
     if (names_limit(found.message))
-        refuse(name,
-               "more than a scene can be: " + message + (found.remedy.empty() ? "" : "; ") + found.remedy);
+        refuse(name, "more than a scene can be: " + message + (found.hint.empty() ? "" : "; ") + found.hint);
     refuse(name, "no scene can be made of it: " + message +
                      "; this is a mistake in kfast: please report it, with the file");
 }
@@ -136,14 +135,14 @@ constexpr std::size_t steps = 1000;
 constexpr std::size_t steps_to_read = 150;
 constexpr std::size_t steps_to_write = 300;
 
-TellWork told_last(const TellWork& tell)
+ProgressCallback told_last(const ProgressCallback& tell)
 {
     return [tell](std::size_t done, std::size_t total) {
         tell(steps_to_write + (steps - steps_to_write) * done / total, steps);
     };
 }
 
-CompiledScene compiled(const std::string& name, const std::string& text, const TellWork& tell)
+CompiledScene compiled(const std::string& name, const std::string& text, const ProgressCallback& tell)
 {
     Diagnostics diagnostics;
     const SourceText source{.name = name, .text = text};
@@ -208,7 +207,7 @@ Imported made_of(const art::Document& document, const std::string& name, const O
     options.tell(steps_to_write, steps);
     Imported imported;
     imported.text = std::move(draft.written.text);
-    if (imported.text.size() > most_scene_text_bytes)
+    if (imported.text.size() > max_scene_text_bytes)
         refuse(name,
                "makes a scene text larger than 4 MB, more than kfast reads: draw less, or raise --tolerance");
     imported.compiled = compiled(name, imported.text, options.tell);

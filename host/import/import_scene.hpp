@@ -15,7 +15,7 @@
 namespace kfast::importing {
 
 /// Of what is packed, once it is unpacked.
-inline constexpr std::size_t most_unpacked_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t max_unpacked_bytes = std::size_t{16} << 20;
 
 struct Imported {
     std::string text;       ///< a scene, as docs/scene-language.md has it

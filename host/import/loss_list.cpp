@@ -48,7 +48,7 @@ std::vector<Kind> kinds_of(const art::Losses& losses)
     return kinds;
 }
 
-std::string text_of(const Kind& kind, std::size_t most_places)
+std::string text_of(const Kind& kind, std::size_t max_places)
 {
     std::string text = "  " + visible(kind.first->feature);
     if (kind.places.size() == 1)
@@ -56,7 +56,7 @@ std::string text_of(const Kind& kind, std::size_t most_places)
     text.append(": ").append(visible(kind.first->instead));
     if (kind.places.size() == 1)
         return text;
-    const std::size_t count = std::min(kind.places.size(), most_places);
+    const std::size_t count = std::min(kind.places.size(), max_places);
     for (std::size_t index = 0; index < count; ++index)
         text.append("\n      ").append(kind.places[index]);
     if (count < kind.places.size())
@@ -74,15 +74,15 @@ std::string loss_count(const art::Losses& losses)
 
 std::string loss_list(const art::Losses& losses, ListLength length)
 {
-    const Most most = length == ListLength::cut ? on_a_screen : Most{};
+    const Most max = length == ListLength::cut ? on_a_screen : Most{};
     const std::vector<Kind> kinds = kinds_of(losses);
-    const std::size_t count = std::min(kinds.size(), most.kinds);
-    const bool is_cut = count < kinds.size() || std::ranges::any_of(kinds, [&most](const Kind& kind) {
-                            return kind.places.size() > most.places;
+    const std::size_t count = std::min(kinds.size(), max.kinds);
+    const bool is_cut = count < kinds.size() || std::ranges::any_of(kinds, [&max](const Kind& kind) {
+                            return kind.places.size() > max.places;
                         });
     std::string text;
     for (std::size_t index = 0; index < count; ++index)
-        text.append(index == 0 ? "" : "\n").append(text_of(kinds[index], most.places));
+        text.append(index == 0 ? "" : "\n").append(text_of(kinds[index], max.places));
     if (count < kinds.size())
         text.append("\n  and ").append(counted(kinds.size() - count, "more kind")).append(" of things");
     if (is_cut)

@@ -3,7 +3,7 @@
 #include "core/math/point.hpp"
 #include "core/pixel/colour.hpp"
 #include "host/art/prepare/tolerance.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 #include "host/svg/poses/key_options.hpp"
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace kfast::importing {
 
 /// How files of other programs are made into scenes.
 struct Options {
-    double tolerance = art::usual_tolerance; ///< canvas pixels, 0 or more
-    std::optional<Size> size;                ///< the art is scaled so that its canvas just lies within it
-    std::optional<Colour> background;        ///< opaque, of files that say nothing of theirs
-    std::string animation;                   ///< of a dotLottie file; "": the one that it begins with
-    svg::KeyOptions drawings;                ///< how drawings of SVG become keys
-    TellWork tell = tell_nobody;
+    double tolerance = art::default_tolerance; ///< canvas pixels, 0 or more
+    std::optional<Size> size;                  ///< the art is scaled so that its canvas just lies within it
+    std::optional<Colour> background;          ///< opaque, of files that say nothing of theirs
+    std::string animation;                     ///< of a dotLottie file; "": the one that it begins with
+    svg::KeyOptions drawings;                  ///< how drawings of SVG become keys
+    ProgressCallback tell = tell_nobody;
 };
 
 }

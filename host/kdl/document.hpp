@@ -25,7 +25,7 @@ struct Number {
 struct Value {
     std::optional<std::string> type; ///< the annotation, as in (ms)500
     std::variant<Null, bool, Number, std::string> data;
-    Place place; ///< the whole value with its annotation and quotes
+    SourceSpan place; ///< the whole value with its annotation and quotes
     /// For strings that stand in the source byte for byte (no escapes, one line): where their first byte is.
     std::optional<std::size_t> text_offset;
 
@@ -35,14 +35,14 @@ struct Value {
 
 struct Property {
     std::string name;
-    Place name_place;
+    SourceSpan name_span;
     Value value;
 };
 
 struct Node {
     std::optional<std::string> type;
     std::string name;
-    Place name_place;
+    SourceSpan name_span;
     std::vector<Value> arguments;
     /// In source order. A name that is given again replaces the earlier one.
     std::vector<Property> properties;

@@ -49,7 +49,7 @@ bool read_unicode_escape(Scanner& scanner, std::size_t begin, std::string& text)
     const bool opened = scanner.accept("{");
     const std::string_view digits = opened ? read_hex_digits(scanner) : std::string_view{};
     const bool closed = opened && scanner.accept("}");
-    const Place place = scanner.place_since(begin);
+    const SourceSpan place = scanner.place_since(begin);
     if (!closed || digits.empty() || digits.size() > 6) {
         scanner.error(place, "\\u needs one to six hexadecimal digits in braces", "write it like \\u{1F600}");
         return false;

@@ -20,7 +20,7 @@ struct TextLine {
 /// The lines between the quotes, with their indentation; the last is the one with the closing quotes.
 struct Block {
     std::vector<TextLine> lines;
-    Place closing;
+    SourceSpan closing;
 };
 
 void read_point(Scanner& scanner, TextLine& line)
@@ -33,11 +33,11 @@ void read_point(Scanner& scanner, TextLine& line)
         line.indent = line.text.size();
 }
 
-std::optional<Block> read_block(Scanner& scanner, Place opening, std::string_view hashes)
+std::optional<Block> read_block(Scanner& scanner, SourceSpan opening, std::string_view hashes)
 {
     const std::string closing = "\"\"\"" + std::string(hashes);
     Block block{.lines = {TextLine{.offset = scanner.offset()}}, .closing = {}};
-    bool is_sound = true;
+    bool is_valid = true;
     while (!scanner.at(closing)) {
         if (scanner.at_end()) {
             scanner.error(opening, "this string is not closed",
@@ -48,14 +48,14 @@ std::optional<Block> read_block(Scanner& scanner, Place opening, std::string_vie
         if (scanner.accept_newline())
             block.lines.push_back({.offset = scanner.offset()});
         else if (hashes.empty() && scanner.at("\\"))
-            is_sound = read_escape(scanner, block.lines.back().text) && is_sound;
+            is_valid = read_escape(scanner, block.lines.back().text) && is_valid;
         else
             read_point(scanner, block.lines.back());
     }
     const std::size_t end = scanner.offset();
     scanner.accept(closing);
     block.closing = scanner.place_since(end);
-    return is_sound ? std::optional{std::move(block)} : std::nullopt;
+    return is_valid ? std::optional{std::move(block)} : std::nullopt;
 }
 
 bool shares_indent(const TextLine& line, const std::string& indent)
@@ -79,7 +79,7 @@ std::string without_indent(const std::vector<TextLine>& lines)
 std::optional<std::string> read_multi_line_string(Scanner& scanner, std::size_t begin,
                                                   std::string_view hashes)
 {
-    const Place opening = scanner.place_since(begin);
+    const SourceSpan opening = scanner.place_since(begin);
     if (!scanner.accept_newline())
         scanner.error(opening, "text follows the opening \"\"\" on its line",
                       "begin a new line after it, or use \" for a text of one line");

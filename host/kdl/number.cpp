@@ -95,7 +95,7 @@ Number number_of(const Decimal& decimal)
 }
 
 /// By what stands behind the digits.
-std::string remedy_of(std::string_view word)
+std::string hint_of(std::string_view word)
 {
     std::string_view behind = word;
     take_sign(behind);
@@ -119,20 +119,19 @@ std::string remedy_of(std::string_view word)
 
 NumberFault not_a_number(std::string_view word)
 {
-    return {.message = in_quotes(word) + " begins like a number but is none", .remedy = remedy_of(word)};
+    return {.message = in_quotes(word) + " begins like a number but is none", .hint = hint_of(word)};
 }
 
 std::variant<Number, NumberFault> integer_of(const Radix& radix, std::string_view word, std::string_view rest)
 {
-    constexpr std::size_t most_digits = 1000;
+    constexpr std::size_t max_digits = 1000;
     const std::string digits = take_digits(rest, radix);
     if (digits.empty() || !rest.empty())
         return NumberFault{.message = in_quotes(word) + " is not " + std::string(radix.name()),
-                           .remedy = std::string(radix.rule()) + "; a _ may stand after a digit"};
+                           .hint = std::string(radix.rule()) + "; a _ may stand after a digit"};
     const std::string significant = without_leading_zeros(digits);
-    if (significant.size() > most_digits)
-        return NumberFault{.message = "this number has more than 1000 digits",
-                           .remedy = "write it in decimal"};
+    if (significant.size() > max_digits)
+        return NumberFault{.message = "this number has more than 1000 digits", .hint = "write it in decimal"};
     return number_of({.is_negative = word.front() == '-', .integer = radix.in_decimal(significant)});
 }
 
@@ -141,17 +140,17 @@ std::variant<Number, NumberFault> decimal_of(std::string_view word, std::string_
     Decimal decimal{.is_negative = word.front() == '-'};
     if (rest.starts_with('.'))
         return NumberFault{.message = "a number cannot begin with its point",
-                           .remedy = "write a 0 before the point"};
+                           .hint = "write a 0 before the point"};
     decimal.integer = without_leading_zeros(take_digits(rest, Radix::decimal()));
     if (take(rest, ".") && (decimal.fraction = take_digits(rest, Radix::decimal())).empty())
         return NumberFault{.message = "no digit follows the point of this number",
-                           .remedy = "write a 0 after the point or leave the point out"};
+                           .hint = "write a 0 after the point or leave the point out"};
     if (take(rest, "e") || take(rest, "E")) {
         decimal.is_exponent_negative = take_sign(rest);
         decimal.exponent = without_leading_zeros(take_digits(rest, Radix::decimal()));
         if (decimal.exponent.empty() && rest.empty())
             return NumberFault{.message = "no digit follows the e of this number",
-                               .remedy = "write a whole exponent, as in 1e3 or 1e-3"};
+                               .hint = "write a whole exponent, as in 1e3 or 1e-3"};
     }
     if (!rest.empty())
         return not_a_number(word);

@@ -11,7 +11,7 @@ namespace kfast::kdl {
 /// What is wrong with a word that begins like a number.
 struct NumberFault {
     std::string message;
-    std::string remedy;
+    std::string hint;
 };
 
 /// Reads a decimal, hexadecimal, octal or binary number; the keywords such as #inf are not read here.

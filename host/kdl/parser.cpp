@@ -40,14 +40,14 @@ std::optional<std::size_t> indent_of(std::string_view text, std::size_t offset)
 }
 
 /// The first of `children` that is indented no deeper than the line of the brace is hardly meant to be one.
-std::string remedy_of_unclosed(std::string_view text, Place brace, const std::vector<Node>& children)
+std::string hint_of_unclosed(std::string_view text, SourceSpan brace, const std::vector<Node>& children)
 {
     const std::string_view line = line_at(text, brace.offset);
     const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
     for (const Node& child : children)
-        if (indent_of(text, child.name_place.offset).value_or(indent + 1) <= indent)
+        if (indent_of(text, child.name_span.offset).value_or(indent + 1) <= indent)
             return "add a closing }, perhaps before line " +
-                   std::to_string(line_column(text, child.name_place.offset).line);
+                   std::to_string(line_column(text, child.name_span.offset).line);
     return "add a closing }";
 }
 
@@ -79,7 +79,7 @@ private:
     std::optional<Value> read_value(Progress& progress);
     std::optional<std::string> read_type();
     bool accept_slashdash();
-    void report_missing(const std::string& what, const std::string& remedy);
+    void report_missing(const std::string& what, const std::string& hint);
 
     Scanner scanner_;
 };
@@ -125,7 +125,7 @@ void Parser::read_nodes(std::vector<Node>& nodes, int depth)
             return;
         const bool is_dropped = accept_slashdash();
         Node node = read_node(depth);
-        if (!is_dropped && node.name_place.length > 0)
+        if (!is_dropped && node.name_span.length > 0)
             nodes.push_back(std::move(node));
     }
 }
@@ -156,7 +156,7 @@ void Parser::read_name(Node& node)
         return scanner_.error(scanner_.place_since(begin), "a node begins with its name, not with a value",
                               "put a name before it, or in quotes");
     node.name = *name.string();
-    node.name_place = scanner_.place_since(begin);
+    node.name_span = scanner_.place_since(begin);
 }
 
 void Parser::read_body(Node& node, int depth)
@@ -189,7 +189,7 @@ bool Parser::at_node_end()
 
 void Parser::read_block(Node& node, Progress& progress, bool is_dropped, int depth)
 {
-    const Place opening{.offset = scanner_.offset(), .length = 1};
+    const SourceSpan opening{.offset = scanner_.offset(), .length = 1};
     if (progress.has_block && !is_dropped)
         scanner_.error(opening, "this node has a children block already", "put all children in one block");
     progress.has_block |= !is_dropped;
@@ -201,7 +201,7 @@ void Parser::read_block(Node& node, Progress& progress, bool is_dropped, int dep
     read_nodes(is_dropped ? dropped : node.children, depth + 1);
     if (!scanner_.accept("}")) {
         scanner_.error(opening, "this { is not closed",
-                       remedy_of_unclosed(scanner_.text(), opening, is_dropped ? dropped : node.children));
+                       hint_of_unclosed(scanner_.text(), opening, is_dropped ? dropped : node.children));
         scanner_.stop();
     }
     scanner_.silence(was_silent);
@@ -231,7 +231,7 @@ void Parser::read_property(Node& node, Progress& progress, bool is_dropped, cons
     std::optional<Value> value = read_value(progress);
     if (value && name.string() && !is_dropped)
         node.properties.push_back(
-            {.name = *name.string(), .name_place = name.place, .value = std::move(*value)});
+            {.name = *name.string(), .name_span = name.place, .value = std::move(*value)});
 }
 
 std::optional<Value> Parser::read_value(Progress& progress)
@@ -242,10 +242,10 @@ std::optional<Value> Parser::read_value(Progress& progress)
     const bool has_scalar = at_scalar(scanner_);
     if (!has_scalar)
         report_missing("a value", "write a value here");
-    const bool is_sound = has_scalar && read_scalar(scanner_, value);
+    const bool is_valid = has_scalar && read_scalar(scanner_, value);
     value.place = scanner_.place_since(begin);
     progress.token_end = scanner_.offset();
-    return is_sound ? std::optional{std::move(value)} : std::nullopt;
+    return is_valid ? std::optional{std::move(value)} : std::nullopt;
 }
 
 std::optional<std::string> Parser::read_type()
@@ -274,7 +274,7 @@ bool Parser::accept_slashdash()
     const std::size_t begin = scanner_.offset();
     if (!scanner_.accept("/-"))
         return false;
-    const Place place = scanner_.place_since(begin);
+    const SourceSpan place = scanner_.place_since(begin);
     skip_line_space(scanner_);
     if (scanner_.at("/-"))
         scanner_.error(place, "two /- follow each other", "one /- per thing that is left out is enough");
@@ -284,11 +284,11 @@ bool Parser::accept_slashdash()
 }
 
 /// Goes over a character that can begin nothing, so that reading gets ahead.
-void Parser::report_missing(const std::string& what, const std::string& remedy)
+void Parser::report_missing(const std::string& what, const std::string& hint)
 {
     const std::size_t begin = scanner_.offset();
     if (scanner_.at("{") || scanner_.at("/-") || at_node_end())
-        return scanner_.error({.offset = begin, .length = 1}, what + " is missing here", remedy);
+        return scanner_.error({.offset = begin, .length = 1}, what + " is missing here", hint);
     const bool is_equals = scanner_.at("=");
     scanner_.advance();
     scanner_.error(scanner_.place_since(begin), in_quotes(scanner_.since(begin)) + " cannot stand here",

@@ -70,7 +70,7 @@ bool read_number(Scanner& scanner, std::size_t begin, Value& value)
 {
     std::variant<Number, NumberFault> number = number_from(scanner.since(begin));
     if (auto* fault = std::get_if<NumberFault>(&number)) {
-        scanner.error(scanner.place_since(begin), std::move(fault->message), std::move(fault->remedy));
+        scanner.error(scanner.place_since(begin), std::move(fault->message), std::move(fault->hint));
         return false;
     }
     value.data = std::get<Number>(std::move(number));

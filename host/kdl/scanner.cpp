@@ -10,7 +10,7 @@ namespace kfast::kdl {
 
 namespace {
 
-constexpr int most_errors = 20;
+constexpr int max_errors = 20;
 
 }
 
@@ -40,21 +40,21 @@ bool Scanner::accept_newline()
     return true;
 }
 
-void Scanner::error(Place place, std::string message, std::string remedy)
+void Scanner::error(SourceSpan place, std::string message, std::string hint)
 {
     if (silent_ || stopped_)
         return;
     silent_ = true;
-    if (errors_ < most_errors)
-        return report(place, std::move(message), std::move(remedy));
+    if (errors_ < max_errors)
+        return report(place, std::move(message), std::move(hint));
     report({.offset = last_error_, .length = 0},
-           "there are more than " + std::to_string(most_errors) + " errors; the rest is not shown", {});
+           "there are more than " + std::to_string(max_errors) + " errors; the rest is not shown", {});
     stop();
 }
 
-void Scanner::warning(Place place, std::string message, std::string remedy)
+void Scanner::warning(SourceSpan place, std::string message, std::string hint)
 {
-    diagnostics_.warning(place, std::move(message), std::move(remedy));
+    diagnostics_.warning(place, std::move(message), std::move(hint));
 }
 
 bool Scanner::silence(bool silent) { return std::exchange(silent_, silent); }
@@ -65,11 +65,11 @@ void Scanner::stop()
     stopped_ = true;
 }
 
-void Scanner::report(Place place, std::string message, std::string remedy)
+void Scanner::report(SourceSpan place, std::string message, std::string hint)
 {
     ++errors_;
     last_error_ = std::max(last_error_, place.offset);
-    diagnostics_.error(place, std::move(message), std::move(remedy));
+    diagnostics_.error(place, std::move(message), std::move(hint));
 }
 
 }

@@ -29,7 +29,7 @@ public:
     char32_t peek() const;
 
     std::string_view since(std::size_t begin) const { return text_.substr(begin, offset_ - begin); }
-    Place place_since(std::size_t begin) const { return {.offset = begin, .length = offset_ - begin}; }
+    SourceSpan place_since(std::size_t begin) const { return {.offset = begin, .length = offset_ - begin}; }
 
     /// Goes over one code point. Not at the end.
     void advance();
@@ -38,15 +38,15 @@ public:
     /// Goes over one new line, which may be CR LF, if that comes next.
     bool accept_newline();
 
-    void error(Place place, std::string message, std::string remedy = {});
-    void warning(Place place, std::string message, std::string remedy = {});
+    void error(SourceSpan place, std::string message, std::string hint = {});
+    void warning(SourceSpan place, std::string message, std::string hint = {});
     /// Returns whether it was silent.
     bool silence(bool silent);
     /// Nothing after this is read or reported.
     void stop();
 
 private:
-    void report(Place place, std::string message, std::string remedy);
+    void report(SourceSpan place, std::string message, std::string hint);
 
     std::string_view text_;
     Diagnostics& diagnostics_;

@@ -17,7 +17,7 @@ std::string_view read_hashes(Scanner& scanner)
     return scanner.since(begin);
 }
 
-std::string remedy_for_unclosed(std::size_t hashes)
+std::string hint_for_unclosed(std::size_t hashes)
 {
     if (hashes == 0)
         return "add a closing \", or use \"\"\" for a text of several lines";
@@ -27,18 +27,17 @@ std::string remedy_for_unclosed(std::size_t hashes)
 /// After the opening quotes of a string that began at `begin`.
 std::optional<StringLiteral> read_line_string(Scanner& scanner, std::size_t begin, std::string_view hashes)
 {
-    const Place opening = scanner.place_since(begin);
+    const SourceSpan opening = scanner.place_since(begin);
     const std::string closing = '"' + std::string(hashes);
     StringLiteral literal{.text = {}, .text_offset = scanner.offset()};
-    bool is_sound = true;
+    bool is_valid = true;
     while (!scanner.accept(closing)) {
         if (scanner.at_end() || scanner.at_newline()) {
-            scanner.error(opening, "this string is not closed on its line",
-                          remedy_for_unclosed(hashes.size()));
+            scanner.error(opening, "this string is not closed on its line", hint_for_unclosed(hashes.size()));
             return {};
         }
         if (hashes.empty() && scanner.at("\\")) {
-            is_sound = read_escape(scanner, literal.text) && is_sound;
+            is_valid = read_escape(scanner, literal.text) && is_valid;
             literal.text_offset.reset();
             continue;
         }
@@ -46,7 +45,7 @@ std::optional<StringLiteral> read_line_string(Scanner& scanner, std::size_t begi
         scanner.advance();
         literal.text += scanner.since(point);
     }
-    return is_sound ? std::optional{std::move(literal)} : std::nullopt;
+    return is_valid ? std::optional{std::move(literal)} : std::nullopt;
 }
 
 }

@@ -40,13 +40,13 @@ DeviceAddress only_one(std::span<const DeviceAddress> attached)
     return attached.front();
 }
 
-constexpr std::string_view usual_simulated = "sim";
+constexpr std::string_view default_simulated = "sim";
 constexpr std::string_view simulated_at = "sim:";
 
 DeviceAddress simulated(std::string_view name)
 {
     return {DeviceAddress::Way::socket,
-            name == usual_simulated ? sim_socket_path() : std::string{name.substr(simulated_at.size())},
+            name == default_simulated ? sim_socket_path() : std::string{name.substr(simulated_at.size())},
             {}};
 }
 
@@ -76,7 +76,10 @@ public:
 
 }
 
-bool is_simulated(std::string_view name) { return name == usual_simulated || name.starts_with(simulated_at); }
+bool is_simulated(std::string_view name)
+{
+    return name == default_simulated || name.starts_with(simulated_at);
+}
 
 std::vector<DeviceAddress> chosen_addresses(std::span<const std::string> names,
                                             std::span<const DeviceAddress> attached)

@@ -23,7 +23,7 @@ std::vector<link::Inputs> reports_of(const std::map<std::uint8_t, Time>& places)
 {
     std::vector<link::Inputs> reports;
     for (const auto& [input, place] : places) {
-        if (reports.empty() || reports.back().count == link::Inputs::most)
+        if (reports.empty() || reports.back().count == link::Inputs::max)
             reports.emplace_back();
         link::Inputs& report = reports.back();
         report.places[report.count++] = {input, place};

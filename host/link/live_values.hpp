@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 
 #include <cstdint>
 #include <map>
@@ -13,7 +13,7 @@ namespace kfast {
 struct LiveValues {
     std::map<std::uint8_t, Time> places = {}; ///< of numbers: 0 … whole_input
     std::map<std::uint8_t, std::string> texts = {};
-    std::map<std::uint8_t, ToldDrawing> drawings = {};
+    std::map<std::uint8_t, ReceivedDrawing> drawings = {};
 
     bool empty() const { return places.empty() && texts.empty() && drawings.empty(); }
     /// What is newer takes the place of what is here.

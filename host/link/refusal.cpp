@@ -26,7 +26,7 @@ ExitStatus exit_status_of(Status status)
 }
 
 /// What would help; empty if nothing is known.
-std::string remedy_of(const link::Failure& told)
+std::string hint_of(const link::Failure& told)
 {
     const std::string number = std::to_string(told.number);
     switch (told.status) {
@@ -38,7 +38,7 @@ std::string remedy_of(const link::Failure& told)
         return "'kfast fit' tells how much the scene needs; in RAM it lies in the same memory itself, so "
                "'kfast upload --play' may do";
     case Status::too_slow:
-        return std::string{slow_scene_remedy};
+        return std::string{slow_scene_hint};
     case Status::unsupported_version:
     case Status::unknown_kind:
         return "update the firmware of the device, or use the kfast that belongs to it";
@@ -75,8 +75,8 @@ std::string in_words(const link::Failure& told)
     const std::string text = visible(told.text.view());
     const std::string said =
         text.empty() ? "error " + std::to_string(static_cast<unsigned>(told.status)) : text;
-    const std::string remedy = remedy_of(told);
-    return "the device says: " + said + (remedy.empty() ? "" : ": " + remedy);
+    const std::string hint = hint_of(told);
+    return "the device says: " + said + (hint.empty() ? "" : ": " + hint);
 }
 
 }

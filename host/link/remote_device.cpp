@@ -14,8 +14,8 @@ namespace {
 /// Answers to somebody who left before they came.
 void pass_over_old_reports(ReportPipe& pipe)
 {
-    constexpr int most = 64;
-    for (int count = 0; count < most && pipe.receive(Milliseconds{0}); ++count)
+    constexpr int max = 64;
+    for (int count = 0; count < max && pipe.receive(Milliseconds{0}); ++count)
         continue;
 }
 

@@ -10,9 +10,9 @@ namespace kfast {
 namespace {
 
 /// So often a scene is sent from its beginning before somebody is told that it does not work.
-constexpr int most_attempts = 4;
+constexpr int max_attempts = 4;
 /// So often a device may say that it has all blocks and then that it has not.
-constexpr int most_rounds = 16;
+constexpr int max_rounds = 16;
 
 std::uint32_t crc_of(std::span<const std::byte> bytes)
 {
@@ -30,7 +30,7 @@ bool is_lost(Status status)
 class SceneUpload {
 public:
     SceneUpload(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                const TellProgress& tell)
+                const ByteProgressCallback& tell)
         : session_{session}, begin_{begin}, scene_{scene}, tell_{tell}, patience_{begin.home ==
                                                                                           link::Home::slot
                                                                                       ? patience_with_flash
@@ -46,7 +46,7 @@ public:
         window_ = begun.window;
         go_on_from(begun.next);
         send_blocks();
-        for (int round = 1; !is_committed(round == most_rounds); ++round)
+        for (int round = 1; !is_committed(round == max_rounds); ++round)
             send_blocks();
     }
     std::uint8_t tag() const { return tag_; }
@@ -135,7 +135,7 @@ private:
     Session& session_;
     link::Begin begin_;
     std::span<const std::byte> scene_;
-    const TellProgress& tell_;
+    const ByteProgressCallback& tell_;
     Milliseconds patience_;
     std::uint8_t tag_ = 0;
     std::uint32_t window_ = 0;
@@ -169,7 +169,7 @@ link::Begin begin_in_ram(std::span<const std::byte> scene)
 }
 
 std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                          const TellProgress& tell)
+                          const ByteProgressCallback& tell)
 {
     for (int attempt = 1;; ++attempt) {
         SceneUpload upload{session, begin, scene, tell};
@@ -180,7 +180,7 @@ std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<
             upload.cancel();
             throw;
         } catch (const Refusal& refusal) {
-            if (!is_lost(refusal.status()) || attempt == most_attempts)
+            if (!is_lost(refusal.status()) || attempt == max_attempts)
                 throw;
         }
     }

@@ -11,7 +11,7 @@
 namespace kfast {
 
 /// Told how many bytes of the scene the device has; it may become fewer when an upload begins anew.
-using TellProgress = std::function<void(std::size_t bytes)>;
+using ByteProgressCallback = std::function<void(std::size_t bytes)>;
 
 /// What begins the upload of a scene. `name` finds room.
 link::Begin begin_in_slot(std::uint8_t slot, std::string_view name, std::span<const std::byte> scene);
@@ -23,6 +23,6 @@ link::Begin begin_in_ram(std::span<const std::byte> scene);
 ///
 /// Returns the tag of the upload, by which it can be cancelled. Throws what Session throws, and Refusal.
 std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                          const TellProgress& tell);
+                          const ByteProgressCallback& tell);
 
 }

@@ -33,11 +33,11 @@ std::uint8_t slot_for(std::string_view name, std::span<const link::SlotContents>
 
 std::string_view stored_name(std::string_view name)
 {
-    constexpr std::size_t most = std::tuple_size_v<decltype(link::Name::bytes)>;
+    constexpr std::size_t max = std::tuple_size_v<decltype(link::Name::bytes)>;
     std::size_t length = 0;
     while (length < name.size()) {
         const std::size_t next = length + code_point_at(name, length).length;
-        if (next > most)
+        if (next > max)
             break;
         length = next;
     }

@@ -181,7 +181,7 @@ private:
 }
 
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const TellWork& tell, const FilmLimit& limit)
+                const ProgressCallback& tell, const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     ApngFilm film{timeline.frame_rate, limit};

@@ -3,7 +3,7 @@
 #include "host/picture/film_limit.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <filesystem>
 
@@ -16,6 +16,6 @@ namespace kfast {
 /// be written or would be larger than `limit` allows; then there is none. Layout: APNG Specification,
 /// wiki.mozilla.org/APNG_Specification.
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
+                const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

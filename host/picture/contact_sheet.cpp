@@ -36,7 +36,7 @@ bool is_possible(Size sheet, int scale)
 {
     const std::int64_t pixels = std::int64_t{sheet.width} * sheet.height * scale * scale;
     return std::max(sheet.width, sheet.height) * std::int64_t{scale} <= longest_picture_side &&
-           pixels <= most_picture_pixels;
+           pixels <= max_picture_pixels;
 }
 
 }

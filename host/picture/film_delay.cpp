@@ -7,7 +7,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
+constexpr std::int64_t max = std::numeric_limits<std::uint16_t>::max();
 
 struct Fraction {
     std::int64_t numerator;
@@ -19,8 +19,8 @@ struct Fraction {
 FilmDelay film_delay(std::int64_t ticks, std::uint32_t frame_rate)
 {
     Fraction rest{ticks * 1000, std::int64_t{frame_rate} * Time::ticks_per_frame};
-    if (rest.numerator / rest.denominator >= most)
-        return {static_cast<std::uint16_t>(most), 1, false};
+    if (rest.numerator / rest.denominator >= max)
+        return {static_cast<std::uint16_t>(max), 1, false};
     Fraction before{1, 0};
     Fraction last{rest.numerator / rest.denominator, 1};
     rest = {rest.denominator, rest.numerator % rest.denominator};
@@ -28,7 +28,7 @@ FilmDelay film_delay(std::int64_t ticks, std::uint32_t frame_rate)
         const std::int64_t step = rest.numerator / rest.denominator;
         const Fraction next{step * last.numerator + before.numerator,
                             step * last.denominator + before.denominator};
-        if (next.numerator > most || next.denominator > most)
+        if (next.numerator > max || next.denominator > max)
             break;
         before = last;
         last = next;

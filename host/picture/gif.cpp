@@ -130,7 +130,7 @@ void add_with_own_colours(GifEncoder& encoder, const Picture& picture, int centi
 }
 
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const TellWork& tell, const FilmLimit& limit)
+               const ProgressCallback& tell, const FilmLimit& limit)
 {
     const std::vector<GifMoment> moments = gif_moments(timeline);
     const std::size_t steps = 2 * moments.size();

@@ -3,7 +3,7 @@
 #include "host/picture/film_limit.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <filesystem>
 
@@ -15,6 +15,6 @@ namespace kfast {
 /// dither. Throws Failure when the file cannot be written or would be larger than `limit` allows; then there
 /// is none.
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
+               const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

@@ -33,8 +33,8 @@ IndexedPicture quantized(const Picture& picture)
     std::vector<std::uint8_t> red = channel(picture, &Colour::red);
     std::vector<std::uint8_t> green = channel(picture, &Colour::green);
     std::vector<std::uint8_t> blue = channel(picture, &Colour::blue);
-    std::array<GifColorType, Palette::most> map{};
-    int count = Palette::most;
+    std::array<GifColorType, Palette::max> map{};
+    int count = Palette::max;
     IndexedPicture result{{}, std::vector<std::uint8_t>(picture.pixels.size())};
     if (GifQuantizeBuffer(static_cast<unsigned>(picture.size.width),
                           static_cast<unsigned>(picture.size.height), &count, red.data(), green.data(),
@@ -54,7 +54,7 @@ bool Palette::add(const Picture& picture)
         if (pixel == before)
             continue;
         before = pixel;
-        if (words_.insert(word(pixel)).second && words_.size() > most)
+        if (words_.insert(word(pixel)).second && words_.size() > max)
             return false;
     }
     return true;

@@ -12,7 +12,7 @@ namespace kfast {
 /// The colours of some pictures, in the order of 0xRRGGBB.
 class Palette {
 public:
-    static constexpr std::size_t most = 256;
+    static constexpr std::size_t max = 256;
 
     /// False when they would become more than `most`; then the palette is of no use.
     bool add(const Picture& picture);

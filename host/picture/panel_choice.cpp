@@ -11,7 +11,7 @@ namespace {
 constexpr auto choices = [] {
     std::array<PanelChoice, controller_facts.size()> rows{};
     std::ranges::transform(controller_facts, rows.begin(), [](const ControllerFacts& facts) {
-        return PanelChoice{controller_name(facts.usual.controller), facts.usual};
+        return PanelChoice{controller_name(facts.default_value.controller), facts.default_value};
     });
     return rows;
 }();

@@ -67,10 +67,10 @@ Picture part(const Picture& picture, const Rect& area)
 
 Picture plain_picture(std::int64_t width, std::int64_t height, Colour colour, const char* what)
 {
-    if (std::max(width, height) > longest_picture_side || width * height > most_picture_pixels)
+    if (std::max(width, height) > longest_picture_side || width * height > max_picture_pixels)
         throw Failure(std::string{what} + " would be " + std::to_string(width) + " x " +
                       std::to_string(height) + " pixels: at most " + std::to_string(longest_picture_side) +
-                      " a side and " + std::to_string(most_picture_pixels) +
+                      " a side and " + std::to_string(max_picture_pixels) +
                       " in all are possible: choose a smaller --scale or --size, or less with --clip");
     return {{static_cast<int>(width), static_cast<int>(height)},
             std::vector<Colour>(static_cast<std::size_t>(width * height), colour)};

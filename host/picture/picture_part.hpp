@@ -9,7 +9,7 @@ namespace kfast {
 
 /// What pictures in files have at most.
 inline constexpr std::int64_t longest_picture_side = 16384;
-inline constexpr std::int64_t most_picture_pixels = std::int64_t{1} << 26;
+inline constexpr std::int64_t max_picture_pixels = std::int64_t{1} << 26;
 
 /// The smallest area outside of which both pictures, of one size, are the same; none if they are all over.
 std::optional<Rect> changed_part(const Picture& before, const Picture& after);

@@ -17,7 +17,7 @@ public:
 
     const Frame& show(Time moment) override;
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
     {
         return player_.set_drawing(number, strokes);
     }

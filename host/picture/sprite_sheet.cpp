@@ -71,7 +71,8 @@ std::filesystem::path sprite_list_path(const std::filesystem::path& sheet)
 }
 
 SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
-                               const Timeline& timeline, const SpriteSheetForm& form, const TellWork& tell)
+                               const Timeline& timeline, const SpriteSheetForm& form,
+                               const ProgressCallback& tell)
 {
     const std::vector<FilmMoment> moments = sheet_moments(timeline, form);
     const int filled =

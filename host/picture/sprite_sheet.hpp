@@ -2,7 +2,7 @@
 
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <filesystem>
 
@@ -27,6 +27,6 @@ struct SpriteSheet {
 /// written, or when the sheet has more pixels than pictures have.
 SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
                                const Timeline& timeline, const SpriteSheetForm& form,
-                               const TellWork& tell = tell_nobody);
+                               const ProgressCallback& tell = tell_nobody);
 
 }

@@ -32,7 +32,7 @@ struct SvgFrame {
     std::int64_t end;
 };
 
-std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, const TellWork& tell,
+std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, const ProgressCallback& tell,
                                 const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
@@ -105,7 +105,7 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 }
 
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const TellWork& tell, const FilmLimit& limit)
+                        const ProgressCallback& tell, const FilmLimit& limit)
 {
     const std::vector<SvgFrame> frames = frames_of(source, timeline, tell, limit);
     const Turns turns{timeline, frames.back().end};

@@ -3,7 +3,7 @@
 #include "host/picture/film_limit.hpp"
 #include "host/picture/svg_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <filesystem>
 
@@ -17,6 +17,6 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 /// loops as the scene or clip does. Frames that repeat are stored once. Throws Failure likewise, and when it
 /// would be larger than `limit` allows.
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const TellWork& tell = tell_nobody, const FilmLimit& limit = {});
+                        const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
 
 }

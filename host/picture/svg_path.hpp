@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/math/sight.hpp"
+#include "core/math/view_projection.hpp"
 
 #include <string>
 
 namespace kfast {
 
-/// Writes live strokes as the data of an SVG path, in pixels of the panel. LiveStrokes::trace() tells what
+/// Writes live strokes as the data of an SVG path, in pixels of the panel. PosedStrokes::trace() tells what
 /// begin(), add() and end() are.
 class SvgPath {
 public:
@@ -30,7 +30,7 @@ private:
     void write(Point at);
 
     bool is_projected_;
-    Sight sight_;
+    ViewProjection sight_;
     Use use_;
     Point last_; ///< as the next two, before it is projected
     Point start_;

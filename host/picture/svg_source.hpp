@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "host/picture/told_inputs.hpp"
 #include "host/player/word_block.hpp"
 
@@ -21,21 +21,21 @@ public:
     Colour background() const { return player_.scene().colour(0); }
 
     void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
     {
         return player_.set_drawing(number, strokes);
     }
     void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
-    class SvgPlayer : public LiveScene {
+    class SvgPlayer : public SceneState {
     public:
         SvgPlayer(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
-            : LiveScene{scene, panel, fit, memory}
+            : SceneState{scene, panel, fit, memory}
         {
         }
 
-        using LiveScene::bytes_for;
+        using SceneState::bytes_for;
 
         std::string show(Time moment);
     };

@@ -1,8 +1,8 @@
 #include "host/picture/svg_tracer.hpp"
 
 #include "core/math/projection.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing.hpp"
 #include "host/picture/svg_colour.hpp"
 #include "host/picture/svg_number.hpp"
 #include "host/picture/svg_path.hpp"
@@ -104,13 +104,13 @@ void SvgTracer::trace_live(SceneWalk& walk)
     const SceneView& scene = on_panel_.scene;
     const LiveView live = item_view(scene, walk.node()).live;
     switch (live.kind) {
-    case LiveKind::drawing: {
-        const LiveDrawing drawing = on_panel_.drawings.of(scene, live.input);
+    case InputLeaf::drawing: {
+        const InputDrawing drawing = on_panel_.drawings.of(scene, live.input);
         return add_paths(walk, start_of(drawing), [&](const Affine& placement, SvgPath& path) {
             trace_live_strokes(drawing, placement, path);
         });
     }
-    case LiveKind::label: {
+    case InputLeaf::label: {
         const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
                                scene.drawings()};
         return add_paths(walk, label.start(),

@@ -53,7 +53,7 @@ double Timeline::seconds(std::int64_t ticks) const
     return static_cast<double>(ticks) * 1000 / (static_cast<double>(frame_rate) * Time::ticks_per_frame);
 }
 
-Timeline timeline_of(const SceneView& scene) { return {scene.frame_rate(), stretch_of(scene)}; }
+Timeline timeline_of(const SceneView& scene) { return {scene.frame_rate(), play_range_of(scene)}; }
 
 std::string frame_digits(int frame)
 {

@@ -10,7 +10,7 @@ namespace kfast {
 /// "Ticks" are those of the scene's clock since playing began: 1024 for a frame, whatever the speed.
 struct Timeline {
     std::uint32_t frame_rate = 30000; ///< frames in 1000 seconds
-    Stretch stretch{Time{0}, Time::frame(1), Loop::repeat};
+    PlayRange stretch{Time{0}, Time::frame(1), Loop::repeat};
     std::int32_t speed = Playhead::as_authored; ///< as Playhead's, not 0
 
     /// Put down where playing begins: backwards at the end.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_drawing.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/time/time.hpp"
 
 #include <cstdint>
@@ -15,7 +15,7 @@ public:
     virtual ~ToldInputs() = default;
 
     virtual void set_input(std::uint32_t number, Time place) = 0;
-    virtual bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) = 0;
+    virtual bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) = 0;
     virtual void set_text(std::uint32_t number, std::string_view text) = 0;
 };
 

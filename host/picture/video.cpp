@@ -77,7 +77,7 @@ std::vector<std::string> arguments(VideoKind kind, Size size, std::uint32_t fram
 bool is_padded(Size size) { return size.width % 2 != 0 || size.height % 2 != 0; }
 
 void write_video(const std::filesystem::path& target, VideoKind kind, FrameSource& source,
-                 const Timeline& timeline, int loops, const TellWork& tell)
+                 const Timeline& timeline, int loops, const ProgressCallback& tell)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     const Picture first = padded(widen(source.show(moments.front().time)));

@@ -2,7 +2,7 @@
 
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <filesystem>
 
@@ -18,6 +18,6 @@ bool is_padded(Size size);
 /// its neighbour. Throws Failure when there is no ffmpeg, or with the last of what it tells when it fails;
 /// then there is no file.
 void write_video(const std::filesystem::path& target, VideoKind kind, FrameSource& source,
-                 const Timeline& timeline, int loops, const TellWork& tell = tell_nobody);
+                 const Timeline& timeline, int loops, const ProgressCallback& tell = tell_nobody);
 
 }

@@ -19,7 +19,7 @@ namespace kfast {
 namespace {
 
 constexpr int output_number = 3; ///< of the descriptor in the program
-constexpr std::size_t most_lines = 8;
+constexpr std::size_t max_lines = 8;
 
 Failure not_made(const std::filesystem::path& target, const std::string& reason)
 {
@@ -33,10 +33,10 @@ public:
     {
         ::posix_spawn_file_actions_init(&actions);
         ::posix_spawnattr_init(&attributes);
-        sigset_t usual;
-        ::sigemptyset(&usual);
-        ::sigaddset(&usual, SIGPIPE);
-        ::posix_spawnattr_setsigdefault(&attributes, &usual);
+        sigset_t default_value;
+        ::sigemptyset(&default_value);
+        ::sigaddset(&default_value, SIGPIPE);
+        ::posix_spawnattr_setsigdefault(&attributes, &default_value);
         ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     }
     ~Inheritance()
@@ -172,7 +172,7 @@ std::string VideoPipe::told() const
     std::deque<std::string> last;
     for (std::string line; std::getline(lines, line);) {
         last.push_back(std::move(line));
-        if (last.size() > most_lines)
+        if (last.size() > max_lines)
             last.pop_front();
     }
     std::string text = last.empty() ? ", and told nothing" : ". It told:";

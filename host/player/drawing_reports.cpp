@@ -10,10 +10,10 @@ namespace kfast {
 namespace {
 
 /// As they go over the wire: strokes one after another, the pen lifted between them.
-std::vector<LivePoint> wire_points(const ToldDrawing& drawing)
+std::vector<InputPoint> wire_points(const ReceivedDrawing& drawing)
 {
-    std::vector<LivePoint> points;
-    for (const std::vector<LivePoint>& stroke : drawing) {
+    std::vector<InputPoint> points;
+    for (const std::vector<InputPoint>& stroke : drawing) {
         if (!points.empty())
             points.push_back(link::pen_up);
         points.insert(points.end(), stroke.begin(), stroke.end());
@@ -23,17 +23,17 @@ std::vector<LivePoint> wire_points(const ToldDrawing& drawing)
 
 }
 
-std::vector<link::Report> drawing_reports(const ToldDrawing& drawing, std::uint8_t input, std::uint8_t number,
-                                          std::uint8_t tag)
+std::vector<link::Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input,
+                                          std::uint8_t number, std::uint8_t tag)
 {
-    const std::vector<LivePoint> points = wire_points(drawing);
+    const std::vector<InputPoint> points = wire_points(drawing);
     const link::DrawingNumber which{input, static_cast<std::uint8_t>(number % link::DrawingNumber::count)};
     std::vector<link::Report> reports;
-    std::span<const LivePoint> left = points;
-    for (; left.size() > link::Drawing::most; left = left.subspan(link::Points::most)) {
+    std::span<const InputPoint> left = points;
+    for (; left.size() > link::Drawing::max; left = left.subspan(link::Points::max)) {
         link::Points part{.which = which.code(), .part = static_cast<std::uint8_t>(reports.size())};
-        static_assert(link::Points::most == link::Drawing::most + 1); // so all that is left fills it
-        std::ranges::copy(left.first(link::Points::most), part.points.begin());
+        static_assert(link::Points::max == link::Drawing::max + 1); // so all that is left fills it
+        std::ranges::copy(left.first(link::Points::max), part.points.begin());
         reports.push_back(link::report_of(part, tag));
     }
     link::Drawing last{.which = which.code(),

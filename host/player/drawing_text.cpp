@@ -32,21 +32,21 @@ std::optional<std::int16_t> read_coordinate(std::string_view text)
     return static_cast<std::int16_t>(std::lround(pixels * 16));
 }
 
-std::optional<LivePoint> read_point(std::string_view word)
+std::optional<InputPoint> read_point(std::string_view word)
 {
     const std::size_t comma = word.find(',');
     if (comma == std::string_view::npos)
         return std::nullopt;
     const auto x = read_coordinate(word.substr(0, comma));
     const auto y = read_coordinate(word.substr(comma + 1));
-    return x && y ? std::optional{LivePoint{*x, *y}} : std::nullopt;
+    return x && y ? std::optional{InputPoint{*x, *y}} : std::nullopt;
 }
 
 }
 
-std::variant<ToldDrawing, std::string> read_drawing(std::string_view text)
+std::variant<ReceivedDrawing, std::string> read_drawing(std::string_view text)
 {
-    ToldDrawing drawing(1);
+    ReceivedDrawing drawing(1);
     for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
         if (word == "/") {
             drawing.emplace_back();
@@ -57,7 +57,7 @@ std::variant<ToldDrawing, std::string> read_drawing(std::string_view text)
             return in_quotes(word) + " is no point: write it like 10,20.5, each within -2047 and 2047";
         drawing.back().push_back(*point);
     }
-    std::erase_if(drawing, [](const std::vector<LivePoint>& stroke) { return stroke.empty(); });
+    std::erase_if(drawing, [](const std::vector<InputPoint>& stroke) { return stroke.empty(); });
     return drawing;
 }
 

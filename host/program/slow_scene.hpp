@@ -5,7 +5,7 @@
 namespace kfast {
 
 /// What helps where Error::too_slow is told.
-inline constexpr std::string_view slow_scene_remedy =
+inline constexpr std::string_view slow_scene_hint =
     "show less at once, use symbols less often, or draw with fewer points";
 
 }

@@ -45,7 +45,7 @@ struct Key {
     /// Of a wire frame, whose segments are lines: built as `drawing`, x being the depths of its points,
     /// towards the viewer, and y 0. Else empty.
     Drawing depths = {};
-    Place place;
+    SourceSpan place;
     std::vector<SectorStroke> sectors = {}; ///< of the drawing; only for warnings
 };
 
@@ -54,7 +54,7 @@ struct TrackKey {
     Time time;
     LawPair laws;
     std::int32_t value = 0;
-    Place place = {};
+    SourceSpan place = {};
 };
 
 /// One quantity of an item over time, or by an input; holds its first value before the first key and its last
@@ -63,7 +63,7 @@ struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
     bool is_smooth = false; ///< by cubic Hermite curves (core/time/hermite.hpp) instead of laws
-    Clock clock = {};       ///< of its keys
+    Driver driver = {};     ///< of its keys
 };
 
 /// What an item with a track of Property::along follows: its pivot moves on the stroke.
@@ -83,15 +83,15 @@ struct Bone {
     std::array<std::vector<TrackKey>, bone_quantity_count> keys = {};
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
     bool turns_as_written = false; ///< angles tween as numbers, instead of by the shortest way
-    Clock clock = {};              ///< of all its keys
-    Place place = {};
+    Driver driver = {};            ///< of all its keys
+    SourceSpan place = {};
 };
 
 /// A tree of bones, or several: roots first, then their children, then theirs.
 struct Bones {
     std::string name;
     std::vector<Bone> bones; ///< at least one
-    Place place;
+    SourceSpan place;
 };
 
 /// How far a point follows a bone.
@@ -110,7 +110,7 @@ struct Skin {
     /// For each point of the object's first drawing that is not empty (each stroke's first point and the ends
     /// of its segments).
     std::vector<Binding> bindings;
-    Place place;
+    SourceSpan place;
     bool turns_changes = false; ///< what the drawings change turns and grows with the bones
 };
 
@@ -128,7 +128,7 @@ struct BackboneKey {
     Time time;
     LawPair laws;
     std::vector<Backbone> backbones; ///< at least one; of the same form in all keys of the object
-    Place place;
+    SourceSpan place;
 };
 
 using kfast::BeamParts;
@@ -179,7 +179,7 @@ struct Object {
     std::vector<Key> keys;
     std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
-    Clock clock = {};                            ///< of both
+    Driver driver = {};                          ///< of both
     std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
     std::optional<Label> label = {};      ///< likewise: a text
     BeamStyle beam = {};                  ///< hatched only if there is a fill
@@ -203,7 +203,7 @@ struct Item {
     std::string name; ///< may be empty for groups and uses
     std::vector<Track> tracks;
     std::variant<Object, Group, Use> content;
-    Place place;
+    SourceSpan place;
     std::optional<Path> path = {}; ///< if there is a track of Property::along
 };
 
@@ -229,25 +229,25 @@ struct Event {
 
 /// What of an input is a text.
 struct TextInput {
-    std::u32string glyphs;  ///< the characters that it may have, in the order of their code points
-    std::uint32_t most = 1; ///< characters
-    std::u32string usual;   ///< of these glyphs
+    std::u32string glyphs;        ///< the characters that it may have, in the order of their code points
+    std::uint32_t max = 1;        ///< characters
+    std::u32string default_value; ///< of these glyphs
 };
 
 /// A drawing that objects show until another is told, and what that one may have.
 struct DrawingInput {
-    std::size_t strokes = 1; ///< at most `points`
-    std::size_t points = 1;  ///< of all strokes together
-    Drawing usual = {};      ///< lines, and no more than that
+    std::size_t strokes = 1;    ///< at most `points`
+    std::size_t points = 1;     ///< of all strokes together
+    Drawing default_value = {}; ///< lines, and no more than that
 };
 
 /// What the scene takes from outside: a number that keys may go by, its values in 1/1000, or a text or a
 /// drawing.
 struct Input {
     std::string name;
-    std::int32_t least = 0;
-    std::int32_t most = 1000; ///< more than `least`
-    std::int32_t usual = 0;   ///< within both
+    std::int32_t min = 0;
+    std::int32_t max = 1000;        ///< more than `least`
+    std::int32_t default_value = 0; ///< within both
     InputType type = InputType::number;
     TextInput text = {};       ///< only of a text
     DrawingInput drawing = {}; ///< only of a drawing

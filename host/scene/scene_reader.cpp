@@ -19,7 +19,7 @@
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/name_table.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
@@ -58,8 +58,8 @@ void take_single(Parts& parts, const kdl::Node& node, SceneContext& context)
     if (parts.*part == nullptr)
         parts.*part = &node;
     else
-        context.report.error(node.name_place, "there is a " + node.name + " already, on " +
-                                                  context.report.line((parts.*part)->name_place));
+        context.report.error(node.name_span, "there is a " + node.name + " already, on " +
+                                                 context.report.line((parts.*part)->name_span));
 }
 
 template <std::vector<const kdl::Node*> Parts::*list>
@@ -87,8 +87,8 @@ void take_part(Parts& parts, const kdl::Node& node, SceneContext& context)
     const auto rule = std::ranges::find(part_rules, node.name, &PartRule::name);
     if (rule != part_rules.end())
         return rule->take(parts, node, context);
-    context.report.error(node.name_place, "a scene has no node " + in_quotes(node.name),
-                         word_remedy(node.name, word_names<part_rules>));
+    context.report.error(node.name_span, "a scene has no node " + in_quotes(node.name),
+                         word_hint(node.name, word_names<part_rules>));
 }
 
 Parts sort_out(const kdl::Document& document, SceneContext& context)
@@ -118,7 +118,7 @@ bool read_version(const kdl::Document& document, SceneContext& context)
 {
     if (!document.nodes.empty() && document.nodes.front().name == version_form.name)
         return read_version(document.nodes.front(), context);
-    const Place place = document.nodes.empty() ? Place{} : document.nodes.front().name_place;
+    const SourceSpan place = document.nodes.empty() ? SourceSpan{} : document.nodes.front().name_span;
     context.report.error(place, "a scene begins with the version of its language",
                          "write \"kfast 1\" in front of everything else");
     return true;
@@ -129,7 +129,7 @@ std::string_view property_of_object(const kdl::Node& node, const kdl::Property& 
 {
     static const auto names = [] {
         std::vector<std::string_view> list;
-        std::ranges::transform(object_property_words(), std::back_inserter(list), &PropertyWords::name);
+        std::ranges::transform(object_property_words(), std::back_inserter(list), &PropertySchema::name);
         return list;
     }();
     return is_shape(node.name) || is_wire(node.name) ? meaning_among(names, property.name)
@@ -149,7 +149,7 @@ void read_canvas(const kdl::Document& document, const Parts& parts, Scene& scene
 {
     if (parts.canvas != nullptr)
         return read_canvas(*parts.canvas, scene, context);
-    const Place place = document.nodes.empty() ? Place{} : document.nodes.front().name_place;
+    const SourceSpan place = document.nodes.empty() ? SourceSpan{} : document.nodes.front().name_span;
     context.report.error(place, "this scene has no canvas", "add \"canvas 240 240\"");
 }
 
@@ -237,7 +237,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     return scene;
 }
 
-NodeWords version_words()
+NodeSchema version_words()
 {
     return {version_form.name, version_form, {ValueKind::whole({language_version, language_version})}};
 }

@@ -2,7 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
@@ -18,7 +18,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
                                 Diagnostics& diagnostics);
 
 /// Of the node that begins a scene.
-schema::NodeWords version_words();
+schema::NodeSchema version_words();
 /// Of the nodes on the outermost level.
 std::span<const std::string_view> names_outermost();
 

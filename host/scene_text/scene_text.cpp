@@ -25,7 +25,7 @@ namespace {
 
 using art::Document;
 
-constexpr double usual_frame_rate = 30;
+constexpr double default_frame_rate = 30;
 constexpr std::array<std::string_view, 2> crowded{"at", "points"};
 
 std::size_t whole_pixels(double size)
@@ -40,8 +40,8 @@ std::size_t whole_pixels(double size)
 
 std::int32_t ticks_of(const Document& document)
 {
-    if (document.frames > scene::most_frames)
-        throw Failure("the animation is longer than " + std::to_string(scene::most_frames) +
+    if (document.frames > scene::max_frames)
+        throw Failure("the animation is longer than " + std::to_string(scene::max_frames) +
                       " frames, the longest scene; cut it into several");
     return std::max(on_grid(document.frames, times), Time::ticks_per_frame);
 }
@@ -50,7 +50,7 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
 {
     kdl::Node canvas =
         named_node("canvas", number(whole_pixels(document.width)), number(whole_pixels(document.height)));
-    if (document.frame_rate != usual_frame_rate)
+    if (document.frame_rate != default_frame_rate)
         set(canvas, "fps", number(on_grid(document.frame_rate, frame_rates), frame_rates));
     set(canvas, "frames", number(writing.length, times));
     if (document.loop != Loop::repeat)

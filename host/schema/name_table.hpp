@@ -14,7 +14,7 @@ namespace kfast::schema {
 class NameTable {
 public:
     /// Where the name was given before, if it was.
-    std::optional<Place> add(std::string_view name, Place place)
+    std::optional<SourceSpan> add(std::string_view name, SourceSpan place)
     {
         const auto [entry, fresh] = places_.try_emplace(std::string{name}, place);
         return fresh ? std::nullopt : std::optional{entry->second};
@@ -22,7 +22,7 @@ public:
     std::size_t size() const { return places_.size(); }
 
 private:
-    std::unordered_map<std::string, Place> places_;
+    std::unordered_map<std::string, SourceSpan> places_;
 };
 
 }

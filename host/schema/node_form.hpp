@@ -13,8 +13,8 @@ namespace kfast::schema {
 struct NodeForm {
     std::string_view name;
     std::string_view usage; ///< shown where a node does not fit
-    std::size_t least_values = 0;
-    std::size_t most_values = 0;
+    std::size_t min_values = 0;
+    std::size_t max_values = 0;
     bool takes_nodes = false;
 
     static constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();

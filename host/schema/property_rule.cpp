@@ -14,21 +14,21 @@ bool has_property(const kdl::Node& node, std::string_view name)
     return std::ranges::find(node.properties, name, &kdl::Property::name) != node.properties.end();
 }
 
-Place property_place(const kdl::Node& node, std::string_view name)
+SourceSpan property_span(const kdl::Node& node, std::string_view name)
 {
     const auto property = std::ranges::find(node.properties, name, &kdl::Property::name);
     if (property == node.properties.end())
-        return node.name_place;
-    return span(property->name_place, property->value.place);
+        return node.name_span;
+    return span(property->name_span, property->value.place);
 }
 
 namespace {
 
-std::string remedy_of_property(const kdl::Node& node, const kdl::Property& property,
-                               std::span<const std::string_view> known, const Report& report)
+std::string hint_of_property(const kdl::Node& node, const kdl::Property& property,
+                             std::span<const std::string_view> known, const Report& report)
 {
     std::string hint = report.property_hint(node, property, known);
-    return hint.empty() ? word_remedy(property.name, known) : hint;
+    return hint.empty() ? word_hint(property.name, known) : hint;
 }
 
 }
@@ -36,14 +36,14 @@ std::string remedy_of_property(const kdl::Node& node, const kdl::Property& prope
 bool report_unknown_property(const kdl::Node& node, const kdl::Property& property,
                              std::span<const std::string_view> known, Report& report)
 {
-    return report.error(property.name_place, node.name + " has no property " + in_quotes(property.name),
-                        remedy_of_property(node, property, known, report));
+    return report.error(property.name_span, node.name + " has no property " + in_quotes(property.name),
+                        hint_of_property(node, property, known, report));
 }
 
 bool report_missing_property(const kdl::Node& node, std::string_view name, Report& report)
 {
     const std::string property{name};
-    return report.error(node.name_place, node.name + " needs the property \"" + property + '"',
+    return report.error(node.name_span, node.name + " needs the property \"" + property + '"',
                         "add " + property + "=…");
 }
 
@@ -52,7 +52,7 @@ void warn_if_idle(const kdl::Node& node, const kdl::Property& property, std::str
 {
     if (needs.empty() || has_property(node, needs))
         return;
-    report.warning(span(property.name_place, property.value.place),
+    report.warning(span(property.name_span, property.value.place),
                    property.name + " does nothing without a " + std::string{needs},
                    "add " + std::string{needs} + "=… or remove " + property.name);
 }

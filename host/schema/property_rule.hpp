@@ -38,7 +38,7 @@ constexpr auto joined(const std::array<PropertyRule<Target, Context>, counts>&..
 
 bool has_property(const kdl::Node& node, std::string_view name);
 /// From the name to the end of the value; the node's own name when it has no such property.
-Place property_place(const kdl::Node& node, std::string_view name);
+SourceSpan property_span(const kdl::Node& node, std::string_view name);
 bool report_unknown_property(const kdl::Node& node, const kdl::Property& property,
                              std::span<const std::string_view> known, Report& report);
 bool report_missing_property(const kdl::Node& node, std::string_view name, Report& report);

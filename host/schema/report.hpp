@@ -28,22 +28,22 @@ public:
     }
 
     /// Always false, so that a reader can return it.
-    bool error(Place place, std::string message, std::string remedy = {});
-    void warning(Place place, std::string message, std::string remedy = {});
+    bool error(SourceSpan place, std::string message, std::string hint = {});
+    void warning(SourceSpan place, std::string message, std::string hint = {});
 
     /// Errors are no longer passed on; report may stop.
-    bool full() const { return errors_ > most_errors; }
+    bool full() const { return errors_ > max_errors; }
     std::string property_hint(const kdl::Node& node, const kdl::Property& property,
                               std::span<const std::string_view> known) const
     {
         return property_hint_ == nullptr ? std::string{} : property_hint_(node, property, known);
     }
     /// "line 12". Looks through the text: only for messages.
-    std::string line(Place place) const;
+    std::string line(SourceSpan place) const;
 
 private:
-    static constexpr std::size_t most_errors = 100;
-    static constexpr std::size_t most_warnings = 100;
+    static constexpr std::size_t max_errors = 100;
+    static constexpr std::size_t max_warnings = 100;
 
     const SourceText& source_;
     Diagnostics& diagnostics_;
@@ -56,12 +56,14 @@ private:
 inline Report& report_of(Report& report) { return report; }
 
 /// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.
-bool add_name(NameTable& names, std::string_view noun, std::string_view name, Place place, Report& report);
+bool add_name(NameTable& names, std::string_view noun, std::string_view name, SourceSpan place,
+              Report& report);
 /// Always false.
-bool report_double(std::string_view noun, std::string_view name, Place place, Place earlier, Report& report);
+bool report_duplicate(std::string_view noun, std::string_view name, SourceSpan place, SourceSpan earlier,
+                      Report& report);
 
 /// From the start of `first` to the end of `last`.
-constexpr Place span(Place first, Place last)
+constexpr SourceSpan span(SourceSpan first, SourceSpan last)
 {
     return {first.offset, last.offset + last.length - first.offset};
 }

@@ -13,7 +13,7 @@ namespace kfast::schema {
 namespace {
 
 /// If a number is meant by what is a text; empty: it is none.
-std::string remedy_of_text(const std::string& text)
+std::string hint_of_text(const std::string& text)
 {
     constexpr std::string_view minus = "\u2212";
     const bool is_typographic = text.starts_with(minus);
@@ -54,7 +54,7 @@ const kdl::Number* number_of(const kdl::Value& value, Report& report)
     const std::string* const text = value.string();
     if (number == nullptr)
         report.error(value.place, "a number is expected here",
-                     text == nullptr ? std::string{} : remedy_of_text(*text));
+                     text == nullptr ? std::string{} : hint_of_text(*text));
     return number;
 }
 
@@ -139,12 +139,12 @@ std::optional<std::string_view> read_name(const kdl::Value& value, Report& repor
 void report_unknown_word(const kdl::Value& value, std::string_view name,
                          std::span<const std::string_view> known, Report& report)
 {
-    report.error(value.place, "unknown value " + in_quotes(name), word_remedy(name, known));
+    report.error(value.place, "unknown value " + in_quotes(name), word_hint(name, known));
 }
 
 void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Report& report)
 {
-    Place place = value.place;
+    SourceSpan place = value.place;
     std::string message = finding.message;
     if (value.text_offset) {
         place = {*value.text_offset + finding.place.offset, finding.place.length};
@@ -154,9 +154,9 @@ void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_vie
                    " of the " + std::string{what} + ")";
     }
     if (finding.severity == Severity::error)
-        report.error(place, message, finding.remedy);
+        report.error(place, message, finding.hint);
     else
-        report.warning(place, message, finding.remedy);
+        report.warning(place, message, finding.hint);
 }
 
 }

@@ -74,9 +74,9 @@ std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<
 }
 
 /// Where a part of the text of `value` stands in the source; where that is not known, the whole value.
-inline Place place_in_text(const kdl::Value& value, Place part)
+inline SourceSpan place_in_text(const kdl::Value& value, SourceSpan part)
 {
-    return value.text_offset ? Place{*value.text_offset + part.offset, part.length} : value.place;
+    return value.text_offset ? SourceSpan{*value.text_offset + part.offset, part.length} : value.place;
 }
 
 /// Passes on a finding inside the text of `value` at its place in the source; where that is not known (the

@@ -65,7 +65,7 @@ void CommandModel::open_command(std::uint8_t code)
     const auto form = std::ranges::find(forms_, code, &CommandForm::code);
     if (form == forms_.end())
         return fail("unknown command " + hex(code));
-    if (form->most == CommandForm::not_modelled)
+    if (form->max == CommandForm::not_modelled)
         return fail("command " + hex(code) + " is not modelled");
     begin(code);
     if (error_)
@@ -73,14 +73,14 @@ void CommandModel::open_command(std::uint8_t code)
     current_ = &*form;
     parameters_.clear();
     is_open_ = true;
-    if (form->most == 0)
+    if (form->max == 0)
         close_command();
 }
 
 void CommandModel::take_parameter(std::uint8_t byte)
 {
     parameters_.push_back(byte);
-    if (parameters_.size() == static_cast<std::size_t>(current_->most))
+    if (parameters_.size() == static_cast<std::size_t>(current_->max))
         close_command();
 }
 

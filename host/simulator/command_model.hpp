@@ -15,13 +15,13 @@ struct CommandForm {
 
     constexpr CommandForm(int command, int parameters) : CommandForm{command, parameters, parameters} {}
     constexpr CommandForm(int command, int at_least, int at_most)
-        : code{static_cast<std::uint8_t>(command)}, fewest{at_least}, most{at_most}
+        : code{static_cast<std::uint8_t>(command)}, fewest{at_least}, max{at_most}
     {
     }
 
     std::uint8_t code;
     int fewest;
-    int most;
+    int max;
 };
 
 /// A command without which pixels mean nothing; some have two forms, as on and off.

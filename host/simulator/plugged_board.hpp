@@ -84,7 +84,7 @@ public:
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
 
     void scene_started(const SceneView& scene) { stage_.scene_started(scene); }
-    void plays(LiveScene* player) { stage_.plays(player); }
+    void plays(SceneState* player) { stage_.plays(player); }
     Playhead playhead(const SceneView&) { return stage_.playhead(); }
     void steer(Playhead& playhead)
     {

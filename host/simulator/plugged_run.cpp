@@ -10,7 +10,7 @@ void run_plugged_board(const PluggedParts& parts)
         PluggedBoard<P> board{parts};
         using B = PluggedBoard<P>;
         static_assert(ChangingBoard<B> && ChoosingBoard<B> && EventBoard<B> && InputBoard<B> &&
-                      ListeningBoard<B> && NamedBoard<B> && ToldBoard<B>);
+                      ListeningBoard<B> && NamedBoard<B> && LiveInputBoard<B>);
         run_stage(board);
     });
 }

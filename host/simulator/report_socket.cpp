@@ -17,7 +17,7 @@ namespace kfast {
 namespace {
 
 /// What is longer is no report in any case.
-constexpr std::size_t most_bytes = 2 * link::report_bytes;
+constexpr std::size_t max_bytes = 2 * link::report_bytes;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& why)
 {
@@ -73,10 +73,10 @@ int listening_socket(const std::filesystem::path& path)
     remove_left_over(path);
     const int made = new_socket(path);
     constexpr int backlog = 8;
-    const mode_t usual = ::umask(S_IRWXG | S_IRWXO); // nobody else talks to it
+    const mode_t default_value = ::umask(S_IRWXG | S_IRWXO); // nobody else talks to it
     const bool is_bound = ::bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     const int why = errno;
-    ::umask(usual);
+    ::umask(default_value);
     if (is_bound && ::listen(made, backlog) == 0)
         return made;
     ::close(made);
@@ -123,7 +123,7 @@ std::optional<link::ReportBytes> ReportSocket::take()
 {
     accept_all();
     for (auto program = programs_.begin(); program != programs_.end();) {
-        std::array<std::byte, most_bytes> came;
+        std::array<std::byte, max_bytes> came;
         const ssize_t size = ::recv(*program, came.data(), came.size(), MSG_DONTWAIT);
         if (size == link::report_bytes) {
             std::rotate(program, program + 1, programs_.end()); // it is the turn of the others

@@ -23,7 +23,7 @@ void BeamSound::set_input(std::uint32_t number, Time place)
     beam_.set_input(number, place);
 }
 
-bool BeamSound::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+bool BeamSound::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
 {
     return picture_->set_drawing(number, strokes) && beam_.set_drawing(number, strokes);
 }

@@ -23,7 +23,7 @@ public:
     {
     }
 
-    SoundLoop make(const TellWork& tell)
+    SoundLoop make(const ProgressCallback& tell)
     {
         while (add_tour())
             tell(loop_.points.size(), samples_);
@@ -106,7 +106,7 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate)
 }
 
 SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
-                     const TellWork& tell)
+                     const ProgressCallback& tell)
 {
     return LoopMaker{source, timeline, samples}.make(tell);
 }

@@ -2,7 +2,7 @@
 
 #include "host/beam/beam_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 #include "host/sound/tour.hpp"
 
 #include <cstddef>
@@ -29,7 +29,7 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate);
 ///
 /// Throws std::length_error if not one tour has room, which a budget of `samples` prevents.
 SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
-                     const TellWork& tell = tell_nobody);
+                     const ProgressCallback& tell = tell_nobody);
 
 /// The longest step of a closed tour.
 double longest_step(const Tour& tour);

@@ -10,7 +10,7 @@ namespace kfast {
 inline constexpr BeamProfile sound_profile{.rate = 48'000,
                                            .lit_step = 655,
                                            .travel_step = 6554,
-                                           .least_refresh = 30,
+                                           .min_refresh = 30,
                                            .resolution = 256,
                                            .brightness = BeamBrightness::by_speed};
 

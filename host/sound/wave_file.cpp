@@ -39,8 +39,8 @@ sf_count_t seek(sf_count_t offset, int whence, void* file)
 sf_count_t read(void* to, sf_count_t count, void* file)
 {
     MemoryFile& from = memory(file);
-    const std::size_t most = from.bytes.size() - std::min(from.at, from.bytes.size());
-    const std::size_t taken = std::min(static_cast<std::size_t>(count), most);
+    const std::size_t max = from.bytes.size() - std::min(from.at, from.bytes.size());
+    const std::size_t taken = std::min(static_cast<std::size_t>(count), max);
     std::memcpy(to, from.bytes.data() + from.at, taken);
     from.at += taken;
     return static_cast<sf_count_t>(taken);
@@ -64,8 +64,8 @@ struct Close {
 int rounded(std::int32_t level, int bits)
 {
     const std::int64_t unit = std::int64_t{1} << (32 - bits);
-    const std::int64_t most = std::numeric_limits<std::int32_t>::max() - (unit - 1);
-    return static_cast<int>(std::min((level + unit / 2) & -unit, most));
+    const std::int64_t max = std::numeric_limits<std::int32_t>::max() - (unit - 1);
+    return static_cast<int>(std::min((level + unit / 2) & -unit, max));
 }
 
 void write_points(SNDFILE* file, std::span<const FieldPoint> points, const Deflection& deflection, int bits)

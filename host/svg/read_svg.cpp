@@ -20,11 +20,11 @@ Failure of_file(const SourceText& source, const Failure& failure)
 
 std::string told(const std::vector<KeyLayer>& layers)
 {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t max = 8;
     std::string names;
-    for (std::size_t i = 0; i < std::min(layers.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(layers.size(), max); ++i)
         names += (i == 0 ? "\"" : ", \"") + shortened(layers[i].name) + '"';
-    return "the layers " + names + (layers.size() > most ? ", ..." : "") +
+    return "the layers " + names + (layers.size() > max ? ", ..." : "") +
            " are key drawings, by their names: --layers never draws them over each other";
 }
 

@@ -13,8 +13,8 @@
 namespace kfast::synfig {
 namespace {
 
-constexpr double most_pixels = 100'000;
-constexpr double most_frames = 1'000'000;
+constexpr double max_pixels = 100'000;
+constexpr double max_frames = 1'000'000;
 
 class CanvasReader {
 public:
@@ -53,24 +53,24 @@ public:
     }
 
 private:
-    double number(const char* name, double usual, double least, double most) const
+    double number(const char* name, double default_value, double min, double max) const
     {
         const auto attribute = canvas_.attribute(name);
         if (!attribute)
-            return usual;
+            return default_value;
         const std::string_view text = attribute.value();
         double value = 0;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (read.ec != std::errc{} || !(value >= least && value <= most))
+        if (read.ec != std::errc{} || !(value >= min && value <= max))
             file_.fail(XmlFile::place(canvas_),
                        std::string{name} + "=\"" + std::string{text} + "\" of the canvas is out of range");
         return value;
     }
 
-    double time(const char* name, double frame_rate, double usual) const
+    double time(const char* name, double frame_rate, double default_value) const
     {
         const auto attribute = canvas_.attribute(name);
-        const auto found = attribute ? time_of(attribute.value(), frame_rate) : std::optional{usual};
+        const auto found = attribute ? time_of(attribute.value(), frame_rate) : std::optional{default_value};
         if (!found || std::abs(*found) > end_of_time)
             file_.fail(XmlFile::place(canvas_), std::string{name} + "=\"" + attribute.value() +
                                                     "\" of the canvas is no time, such as \"1s 12f\"");
@@ -78,26 +78,26 @@ private:
     }
 
     template <std::size_t count>
-    std::array<double, count> numbers(const char* name, std::array<double, count> usual) const
+    std::array<double, count> numbers(const char* name, std::array<double, count> default_value) const
     {
         std::istringstream text{canvas_.attribute(name).value()};
         text.imbue(std::locale::classic());
         std::array<double, count> found{};
         for (double& one : found)
             if (!(text >> one) || !(std::abs(one) < 1e6))
-                return usual;
+                return default_value;
         return found;
     }
 
     void set_canvas(art::Document& document)
     {
-        document.width = number("width", 480, 1, most_pixels);
-        document.height = number("height", 270, 1, most_pixels);
+        document.width = number("width", 480, 1, max_pixels);
+        document.height = number("height", 270, 1, max_pixels);
         document.frame_rate = number("fps", 24, 0.01, 1000);
         begin_ = time(canvas_.attribute("begin-time") ? "begin-time" : "start-time", document.frame_rate, 0);
         const double end = time("end-time", document.frame_rate, begin_);
         const double frames = std::round((end - begin_) * document.frame_rate * 1024) / 1024;
-        if (frames > most_frames)
+        if (frames > max_frames)
             file_.fail(XmlFile::place(canvas_), "the animation is longer than a million frames");
         document.frames = std::max(1.0, frames);
     }
@@ -108,8 +108,8 @@ private:
         const auto box = numbers<4>("view-box", {-4, 2.25, 4, -2.25});
         const double width = box[2] - box[0];
         const double height = box[1] - box[3];
-        constexpr double least = 1e-6;
-        if (std::abs(width) < least || std::abs(height) < least)
+        constexpr double min = 1e-6;
+        if (std::abs(width) < min || std::abs(height) < min)
             file_.fail(XmlFile::place(canvas_), "the view-box of the canvas is empty");
         pixels_per_unit_ = std::abs(document.height / height);
         const double across = document.width / width;
@@ -127,9 +127,9 @@ private:
     std::array<double, 3> gamma() const
     {
         const std::string_view version = canvas_.attribute("version").value();
-        const double usual = version == "1.0" || version.starts_with("0.") ? 2.2 : 1;
-        return {number("gamma-r", usual, 0.01, 100), number("gamma-g", usual, 0.01, 100),
-                number("gamma-b", usual, 0.01, 100)};
+        const double default_value = version == "1.0" || version.starts_with("0.") ? 2.2 : 1;
+        return {number("gamma-r", default_value, 0.01, 100), number("gamma-g", default_value, 0.01, 100),
+                number("gamma-b", default_value, 0.01, 100)};
     }
 
     /// Synfig 1.5.1 paints it as it is, without the gamma that layers get.

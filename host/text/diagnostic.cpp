@@ -27,14 +27,14 @@ std::string right_aligned(const std::string& text, std::size_t width)
 
 }
 
-void Diagnostics::error(Place place, std::string message, std::string remedy)
+void Diagnostics::error(SourceSpan place, std::string message, std::string hint)
 {
-    entries_.push_back({Severity::error, place, std::move(message), std::move(remedy)});
+    entries_.push_back({Severity::error, place, std::move(message), std::move(hint)});
 }
 
-void Diagnostics::warning(Place place, std::string message, std::string remedy)
+void Diagnostics::warning(SourceSpan place, std::string message, std::string hint)
 {
-    entries_.push_back({Severity::warning, place, std::move(message), std::move(remedy)});
+    entries_.push_back({Severity::warning, place, std::move(message), std::move(hint)});
 }
 
 bool Diagnostics::has_errors() const
@@ -57,8 +57,8 @@ std::string format(const Diagnostic& diagnostic, const SourceText& source)
     std::string text = headline(diagnostic, source);
     text += right_aligned(number, gutter_digits) + " | " + line + '\n';
     text += gutter + "| " + marks + '\n';
-    if (!diagnostic.remedy.empty())
-        text += gutter + "= help: " + visible(diagnostic.remedy) + '\n';
+    if (!diagnostic.hint.empty())
+        text += gutter + "= help: " + visible(diagnostic.hint) + '\n';
     return text;
 }
 

@@ -12,16 +12,16 @@ enum class Severity { warning, error };
 /// One thing that is wrong with a text: where, what, and what would be right.
 struct Diagnostic {
     Severity severity = Severity::error;
-    Place place;
+    SourceSpan place;
     std::string message; ///< what is wrong: "unknown colour \"blu\""
-    std::string remedy;  ///< what would be right: "did you mean \"blue\"?"; may be empty
+    std::string hint;    ///< what would be right: "did you mean \"blue\"?"; may be empty
 };
 
 /// Collects what is wrong, so that one run reports all of it.
 class Diagnostics {
 public:
-    void error(Place place, std::string message, std::string remedy = {});
-    void warning(Place place, std::string message, std::string remedy = {});
+    void error(SourceSpan place, std::string message, std::string hint = {});
+    void warning(SourceSpan place, std::string message, std::string hint = {});
 
     bool has_errors() const;
     /// In the order of their places.

@@ -72,7 +72,7 @@ std::string marks_under(std::string_view marked)
 
 }
 
-Excerpt excerpt(std::string_view text, Place place)
+Excerpt excerpt(std::string_view text, SourceSpan place)
 {
     const std::string_view line = line_at(text, place.offset);
     const auto line_offset = static_cast<std::size_t>(line.data() - text.data());

@@ -14,6 +14,6 @@ struct Excerpt {
 };
 
 /// At most about 120 columns of the line that holds `place`; what is cut is replaced by ….
-Excerpt excerpt(std::string_view text, Place place);
+Excerpt excerpt(std::string_view text, SourceSpan place);
 
 }

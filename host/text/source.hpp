@@ -8,7 +8,7 @@
 namespace kfast {
 
 /// A stretch of bytes in a source text.
-struct Place {
+struct SourceSpan {
     std::size_t offset = 0;
     std::size_t length = 0;
 };

@@ -21,10 +21,10 @@ std::size_t point_count(PackedDrawing drawing)
 
 }
 
-std::string usual_text(const TextInput& input)
+std::string default_text(const TextInput& input)
 {
     std::string text;
-    for (const std::byte glyph : input.usual)
+    for (const std::byte glyph : input.default_value)
         append_utf8(text, input.glyphs.character(std::to_integer<std::uint32_t>(glyph)));
     return text;
 }
@@ -32,7 +32,7 @@ std::string usual_text(const TextInput& input)
 std::string full_text(const TextInput& input, std::uint32_t glyph)
 {
     std::string text;
-    for (std::uint32_t i = 0; i < input.most; ++i)
+    for (std::uint32_t i = 0; i < input.max; ++i)
         append_utf8(text, input.glyphs.character(glyph));
     return text;
 }
@@ -41,7 +41,7 @@ std::vector<std::size_t> glyph_points(const SceneView& scene, std::uint32_t numb
 {
     std::vector<std::size_t> points(input.glyphs.count());
     every_item(scene, [&](const ItemView& item) {
-        if (item.kind != ItemKind::live || item.live.kind != LiveKind::label || item.live.input != number)
+        if (item.kind != ItemKind::live || item.live.kind != InputLeaf::label || item.live.input != number)
             return;
         const LabelView label = LabelView::of(item.live.label);
         for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)

@@ -10,7 +10,7 @@
 namespace kfast {
 
 /// The text that the input has until another is told, in UTF-8.
-std::string usual_text(const TextInput& input);
+std::string default_text(const TextInput& input);
 
 /// As many of one character as the input may have, in UTF-8.
 std::string full_text(const TextInput& input, std::uint32_t glyph);

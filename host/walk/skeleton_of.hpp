@@ -7,9 +7,9 @@
 namespace kfast {
 
 /// The skeleton of this number, which objects name that it carries.
-inline BonesView skeleton_of(const SceneView& scene, std::uint32_t number)
+inline SkeletonView skeleton_of(const SceneView& scene, std::uint32_t number)
 {
-    BonesCursor skeletons = scene.skeletons();
+    SkeletonCursor skeletons = scene.skeletons();
     for (; number > 0; --number)
         skeletons.skip();
     return skeletons.next();

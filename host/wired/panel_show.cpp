@@ -32,7 +32,7 @@ ShownFrames show_on(Bus bus, PanelLines& lines, const PanelShow& show)
     return with_driver<Bus>(show.panel.controller, [&]<Panel P>() {
         P panel = make_panel<P>(bus, show.panel);
         WiredBoard<P> board{panel, lines, show};
-        static_assert(ChoosingBoard<WiredBoard<P>> && ToldBoard<WiredBoard<P>> &&
+        static_assert(ChoosingBoard<WiredBoard<P>> && LiveInputBoard<WiredBoard<P>> &&
                       ListeningBoard<WiredBoard<P>>);
         run_until_dark(board);
         return board.frames();

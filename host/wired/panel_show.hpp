@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "firmware/settings/panel_settings.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/wired/panel_lines.hpp"
@@ -19,8 +19,8 @@ struct PanelShow {
     PanelSettings panel;
     std::span<const std::byte> scene; ///< checked
     Timeline timeline;
-    std::function<void(LiveScene&)> tell_inputs; ///< called before the first picture
-    std::optional<std::uint64_t> frames;         ///< so many; nothing: until a signal comes
+    std::function<void(SceneState&)> tell_inputs; ///< called before the first picture
+    std::optional<std::uint64_t> frames;          ///< so many; nothing: until a signal comes
 };
 
 /// What became of it.

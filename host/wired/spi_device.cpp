@@ -23,10 +23,10 @@ std::string reason(int error) { return std::generic_category().message(error); }
 Failure no_such_device(const std::string& path)
 {
     const std::string present = present_spi_devices();
-    const std::string remedy = present.empty()
-                                   ? std::string{"there is no SPI device at all: "} + how_to_enable_spi
-                                   : "there is " + present;
-    return Failure{path + " is no SPI device: " + remedy, ExitStatus::no_device};
+    const std::string hint = present.empty()
+                                 ? std::string{"there is no SPI device at all: "} + how_to_enable_spi
+                                 : "there is " + present;
+    return Failure{path + " is no SPI device: " + hint, ExitStatus::no_device};
 }
 
 Failure cannot_open(const std::string& path, int error)
@@ -72,10 +72,10 @@ Failure cannot_write(const std::string& path, int error, std::size_t bytes)
 /// What spidev's buffer holds; its usual size where the kernel does not tell.
 std::size_t buffer_size()
 {
-    constexpr std::size_t usual = 4096;
+    constexpr std::size_t default_value = 4096;
     std::size_t size = 0;
     std::ifstream{"/sys/module/spidev/parameters/bufsiz"} >> size;
-    return size == 0 ? usual : size;
+    return size == 0 ? default_value : size;
 }
 
 int open_device(const std::string& path)

@@ -62,7 +62,7 @@ public:
     bool running() const { return !was_interrupted() && frames_.shown < show_.frames.value_or(endless); }
     Playhead playhead(const SceneView&) const { return show_.timeline.playhead(); }
     void scene_started(const SceneView&) {}
-    void plays(LiveScene* player)
+    void plays(SceneState* player)
     {
         if (player != nullptr)
             show_.tell_inputs(*player);

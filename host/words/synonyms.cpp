@@ -280,7 +280,7 @@ bool is_among(std::span<const std::string_view> known, std::string_view word)
 
 std::span<const Synonym> synonyms() { return synonym_table; }
 
-std::string remedy_of_absent(std::string_view word)
+std::string hint_of_absent(std::string_view word)
 {
     const auto absent = std::ranges::find(absents, plain(word), &Absent::word);
     if (absent == absents.end())
@@ -300,11 +300,11 @@ std::string_view meaning_among(std::span<const std::string_view> known, std::str
     return synonym == synonym_table.end() ? std::string_view{} : synonym->meaning;
 }
 
-std::string word_remedy(std::string_view word, std::span<const std::string_view> known)
+std::string word_hint(std::string_view word, std::span<const std::string_view> known)
 {
     if (const std::string_view meaning = meaning_among(known, word); !meaning.empty())
         return "KFAST calls it \"" + std::string{meaning} + '"';
-    const std::string absent = remedy_of_absent(word);
+    const std::string absent = hint_of_absent(word);
     return absent.empty() ? suggestion(word, known) : absent;
 }
 

@@ -9,7 +9,7 @@ namespace kfast {
 /// The remedy for `word`, which is none of `known`, the words of the language that may stand in its place. It
 /// names the one that means what `word` does in CSS, SVG or another program ("KFAST calls it "rotate""), or
 /// the page about what the language has not (docs/scene-language.md#not-there); else as suggestion().
-std::string word_remedy(std::string_view word, std::span<const std::string_view> known);
+std::string word_hint(std::string_view word, std::span<const std::string_view> known);
 
 struct Synonym {
     std::string_view word; ///< in small letters, parts joined by "-"
@@ -22,7 +22,7 @@ std::span<const Synonym> synonyms();
 /// The one of `known` that means what `word` does in CSS, SVG or another program; empty: there is none.
 std::string_view meaning_among(std::span<const std::string_view> known, std::string_view word);
 
-/// What word_remedy() says of a thing that the language has not; empty if `word` is no name of one.
-std::string remedy_of_absent(std::string_view word);
+/// What word_hint() says of a thing that the language has not; empty if `word` is no name of one.
+std::string hint_of_absent(std::string_view word);
 
 }

@@ -4,21 +4,21 @@
 
 namespace kfast {
 
-InputView input_of(const SceneView& scene, Clock clock)
+InputView input_of(const SceneView& scene, Driver driver)
 {
     InputCursor inputs = scene.inputs();
-    for (int before = 1; before < clock.input; ++before)
+    for (int before = 1; before < driver.input; ++before)
         inputs.next();
     return inputs.next();
 }
 
-double written_moment(const SceneView& scene, Clock clock, Time moment)
+double written_moment(const SceneView& scene, Driver driver, Time moment)
 {
-    if (clock.is_time())
+    if (driver.is_time())
         return in_frames(moment);
-    const InputView input = input_of(scene, clock);
+    const InputView input = input_of(scene, driver);
     const double share = static_cast<double>(moment.ticks) / whole_input.ticks;
-    return (input.least + share * (static_cast<double>(input.most) - input.least)) / 1000;
+    return (input.min + share * (static_cast<double>(input.max) - input.min)) / 1000;
 }
 
 }

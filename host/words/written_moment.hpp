@@ -5,9 +5,9 @@
 namespace kfast {
 
 /// The input that `clock` is.
-InputView input_of(const SceneView& scene, Clock clock);
+InputView input_of(const SceneView& scene, Driver driver);
 
 /// A moment of keys as an author writes it: in frames, or in the values of the input that they go by.
-double written_moment(const SceneView& scene, Clock clock, Time moment);
+double written_moment(const SceneView& scene, Driver driver, Time moment);
 
 }

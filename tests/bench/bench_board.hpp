@@ -30,7 +30,7 @@ struct Workspace {
 };
 
 /// Frames until the picture comes round again.
-inline std::uint32_t frames_in_turn(const Stretch& stretch)
+inline std::uint32_t frames_in_turn(const PlayRange& stretch)
 {
     const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
     return static_cast<std::uint32_t>((ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame);
@@ -41,7 +41,7 @@ inline std::uint32_t frames_in_turn(const Stretch& stretch)
 template <class Meter, class Report>
 class BenchBoard {
 public:
-    BenchBoard(const Stretch& stretch, Size panel, const Workspace& workspace, Meter& meter, Report report)
+    BenchBoard(const PlayRange& stretch, Size panel, const Workspace& workspace, Meter& meter, Report report)
         : turn_{frames_in_turn(stretch)}, workspace_{workspace}, meter_{meter}, panel_{meter}, report_{report}
     {
         panel_.set_size(panel);
@@ -83,9 +83,9 @@ private:
 };
 
 /// As the scene says, but what would end comes round again: only then is there a steady loop.
-inline Stretch steady_stretch(const SceneView& scene)
+inline PlayRange steady_stretch(const SceneView& scene)
 {
-    Stretch stretch = stretch_of(scene);
+    PlayRange stretch = play_range_of(scene);
     if (stretch.loop == Loop::once)
         stretch.loop = Loop::repeat;
     return stretch;
@@ -103,7 +103,7 @@ Result<std::uint32_t> measure(const SceneView& scene, const Workspace& workspace
     if (!player)
         return player.error();
 
-    const Stretch stretch = steady_stretch(scene);
+    const PlayRange stretch = steady_stretch(scene);
     BenchBoard board{stretch, panel, workspace, meter, report};
     MeteredPlayer metered{*player, meter};
     meter.enter(Phase::send);

@@ -58,7 +58,7 @@ void play_two_turns(const SceneView& scene, Meter meter, Report report)
 
 void tell_frames(const SceneView& scene)
 {
-    const Stretch stretch = steady_stretch(scene);
+    const PlayRange stretch = steady_stretch(scene);
     SteadyPictures pictures{scene, stretch};
     for (std::uint32_t frame = 0; frame < frames_in_turn(stretch); ++frame)
         pictures.advance();

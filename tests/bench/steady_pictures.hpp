@@ -13,7 +13,7 @@ namespace kfast::bench {
 class SteadyPictures {
 public:
     /// The first one is that of the stretch's beginning. `scene`'s bytes must outlive it.
-    SteadyPictures(const SceneView& scene, const Stretch& stretch);
+    SteadyPictures(const SceneView& scene, const PlayRange& stretch);
     SteadyPictures(const SteadyPictures&) = delete;
 
     /// Goes on to the next picture.

@@ -27,7 +27,7 @@ std::uint32_t points_between(DrawingView from, DrawingView to, Share time)
 
 std::int32_t height_at(Time time)
 {
-    std::array<KeyTime, 4> storage;
+    std::array<KeySample, 4> storage;
     Track track{storage};
     track.add(Time::frame(3), 7);
     return track.value_at(time) >> fine_bits;

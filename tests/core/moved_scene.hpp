@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_bones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/pose/scene_on_panel.hpp"
 #include "core/prepared/prepared_scene.hpp"
 
@@ -30,7 +30,7 @@ public:
         return prepared_;
     }
     /// Posed.
-    const std::vector<LiveBone>& bones_at(const Moment& moment)
+    const std::vector<PosedBone>& bones_at(const Moment& moment)
     {
         pose_bones(scene_, at(moment), bones_);
         return bones_;
@@ -51,7 +51,7 @@ private:
     std::vector<std::uint32_t> memory_;
     PreparedScene prepared_;
     std::vector<Space> spaces_;
-    std::vector<LiveBone> bones_;
+    std::vector<PosedBone> bones_;
 };
 
 }

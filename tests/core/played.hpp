@@ -13,7 +13,7 @@ namespace kfast::test {
 /// Plays events that it keeps itself, and writes their names as they are passed.
 class Played {
 public:
-    Played(const Stretch& stretch, const std::vector<EventView>& events)
+    Played(const PlayRange& stretch, const std::vector<EventView>& events)
         : bytes_{event_bytes(events)}, playhead_{stretch, EventCursor{ByteReader{bytes_}}}
     {
     }

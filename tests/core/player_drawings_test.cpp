@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/rounds.hpp"
@@ -31,14 +31,15 @@ group one x=2 { track opacity input=dim { at 0 1; at 1 0.3 }
 use s rotate-y=40 x=5 scale=0.7
 )";
 
-ToldDrawing random_drawing(std::size_t most_strokes, std::size_t most_points, int reach, std::mt19937& random)
+ReceivedDrawing random_drawing(std::size_t max_strokes, std::size_t max_points, int reach,
+                               std::mt19937& random)
 {
-    ToldDrawing drawing(1 + random() % most_strokes);
+    ReceivedDrawing drawing(1 + random() % max_strokes);
     const auto coordinate = [&] {
         const auto range = static_cast<std::uint32_t>(2 * reach + 1);
         return static_cast<std::int16_t>(static_cast<int>(random() % range) - reach);
     };
-    for (std::size_t points = random() % (most_points + 1); points > 0; --points) {
+    for (std::size_t points = random() % (max_points + 1); points > 0; --points) {
         const std::int16_t x = coordinate();
         drawing[random() % drawing.size()].push_back({x, coordinate()});
     }
@@ -47,12 +48,12 @@ ToldDrawing random_drawing(std::size_t most_strokes, std::size_t most_points, in
     return drawing;
 }
 
-bool tell(Stage& stage, std::uint32_t input, const ToldDrawing& drawing)
+bool tell(Stage& stage, std::uint32_t input, const ReceivedDrawing& drawing)
 {
     return stage.player.set_drawing(input, strokes_of(drawing));
 }
 
-std::string polyline(const ToldDrawing& drawing)
+std::string polyline(const ReceivedDrawing& drawing)
 {
     std::string shapes;
     for (const auto& stroke : drawing) {
@@ -75,7 +76,7 @@ TEST_CASE("a live drawing looks as the same drawing does in an object")
           "fill=blue stroke=red rotate=30", "fill=red rule=even-odd rotate-x=50 z=20",
           "stroke=red width=3 cap=square join=bevel rotate-y=60"})
         for (int round = 0; round < 8; ++round) {
-            ToldDrawing drawing = random_drawing(2, 20, 60 * 16, random);
+            ReceivedDrawing drawing = random_drawing(2, 20, 60 * 16, random);
             std::erase_if(drawing, [](const auto& stroke) { return stroke.size() < 2; });
             if (drawing.empty())
                 continue;
@@ -99,12 +100,12 @@ TEST_CASE("the usual drawing is shown until another is told")
     Stage still{"kfast 1\ncanvas 60 40\nobject o stroke=red width=3 rotate=20 { line 5 5 40 30; polygon 9 9 "
                 "30 9 9 30 }",
                 canvas};
-    const Bytes usual = still.picture({});
-    CHECK(live.picture({}) == usual);
+    const Bytes default_value = still.picture({});
+    CHECK(live.picture({}) == default_value);
     CHECK(tell(live, 0, {}));
-    CHECK(live.picture({}) != usual);
+    CHECK(live.picture({}) != default_value);
     CHECK(tell(live, 0, {{{80, 80}, {640, 480}}, {{144, 144}, {480, 144}, {144, 480}, {144, 144}}}));
-    CHECK(live.picture({}) == usual);
+    CHECK(live.picture({}) == default_value);
 }
 
 TEST_CASE("a drawing that finds no room changes nothing")
@@ -112,11 +113,11 @@ TEST_CASE("a drawing that finds no room changes nothing")
     Stage stage{two_plots, canvas};
     const Bytes picture = stage.picture({});
     CHECK_FALSE(tell(stage, 1, {{{0, 0}}, {{1, 1}}}));
-    CHECK_FALSE(tell(stage, 1, {std::vector<LivePoint>(9)}));
+    CHECK_FALSE(tell(stage, 1, {std::vector<InputPoint>(9)}));
     CHECK(stage.picture({}) == picture);
     stage.player.show_next_drawing(1);
     CHECK(stage.player.drawing(1).strokes() == 0);
-    CHECK(tell(stage, 1, {std::vector<LivePoint>(8)}));
+    CHECK(tell(stage, 1, {std::vector<InputPoint>(8)}));
 }
 
 TEST_CASE("the panel shows what a full redraw would, whatever is told and whenever")
@@ -139,8 +140,8 @@ TEST_CASE("the panel shows what a full redraw would, whatever is told and whenev
             stage.player.show(time);
             if (random() % 5 == 0)
                 continue; // never drawn
-            const ToldDrawing first = told_drawing(stage.player.drawing(0));
-            const ToldDrawing second = told_drawing(stage.player.drawing(1));
+            const ReceivedDrawing first = received_drawing(stage.player.drawing(0));
+            const ReceivedDrawing second = received_drawing(stage.player.drawing(1));
             if (random() % 3 == 0)
                 CHECK(tell(stage, 0, random_drawing(4, 40, reach, random))); // too late for this picture
             bring_up_to_date(stage, memory, 5);
@@ -163,12 +164,12 @@ TEST_CASE("a drawing that nobody changes sends nothing, and one that is told poi
         return bring_up_to_date(stage, memory, 40).areas;
     };
     areas();
-    const ToldDrawing drawing{{{100, 100}, {300, 200}}};
+    const ReceivedDrawing drawing{{{100, 100}, {300, 200}}};
     CHECK(tell(stage, 0, drawing));
     CHECK(areas() > 0);
     CHECK(tell(stage, 0, drawing));
     CHECK(areas() == 0);
-    LiveDrawing next = stage.player.drawing(0);
+    InputDrawing next = stage.player.drawing(0);
     next.add({400, 400});
     next.add({300, 400});
     CHECK(areas() == 0);

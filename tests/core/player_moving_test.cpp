@@ -136,7 +136,7 @@ TEST_CASE("a block has room for placed items in each other, all bones, and one o
                raster::Renderer::block_bytes(needs, scene.canvas()) - PreparedScene::bytes_for(scene);
     };
     CHECK(extra_bytes(space_scene()) == 3 * sizeof(Space) + 4); // three lie in each other, and all are turned
-    CHECK(extra_bytes(bones_scene()) == 5 * sizeof(LiveBone));
+    CHECK(extra_bytes(bones_scene()) == 5 * sizeof(PosedBone));
     CHECK(extra_bytes(backbones_scene()) == 7 * sizeof(BackboneNode));
 }
 

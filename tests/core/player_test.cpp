@@ -66,20 +66,20 @@ TEST_CASE("no moment needs more memory for outlines, or more steps, than the sce
     for (const std::string_view text : {busy_scene, everything})
         for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
             Stage stage{text, panel};
-            std::size_t most_bytes = 0;
-            std::size_t most_steps = 0;
+            std::size_t max_bytes = 0;
+            std::size_t max_steps = 0;
             for (int round = 0; round < 3000; ++round) {
                 stage.player.show({static_cast<std::int32_t>(random())});
                 const raster::Picture& picture = stage.player.picture();
                 CHECK(picture.coarseness == 0);
-                most_bytes = std::max(most_bytes, picture.outlines.needed_bytes());
-                most_steps = std::max(most_steps, picture.step_count);
+                max_bytes = std::max(max_bytes, picture.outlines.needed_bytes());
+                max_steps = std::max(max_steps, picture.step_count);
             }
             if (panel.width <= 60) {
-                CHECK(most_bytes <= stage.scene.outline_bytes());
-                CHECK(most_bytes > stage.scene.outline_bytes() / 4); // the bound is not a guess far off
+                CHECK(max_bytes <= stage.scene.outline_bytes());
+                CHECK(max_bytes > stage.scene.outline_bytes() / 4); // the bound is not a guess far off
             }
-            CHECK(most_steps == stage.scene.paint_steps());
+            CHECK(max_steps == stage.scene.paint_steps());
         }
 }
 

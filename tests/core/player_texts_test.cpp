@@ -16,10 +16,10 @@ namespace {
 
 constexpr Size canvas{120, 60};
 
-std::string with_text(const std::string& glyphs, int most, const std::string& object)
+std::string with_text(const std::string& glyphs, int max, const std::string& object)
 {
     return "kfast 1\ncanvas 120 60 frames=20\ninput t kind=text glyphs=\"" + glyphs +
-           "\" max=" + std::to_string(most) + "\n" + object;
+           "\" max=" + std::to_string(max) + "\n" + object;
 }
 
 /// The same object around a label, and around a text that is written.
@@ -66,14 +66,15 @@ TEST_CASE("a label has the same bits as a text that is written")
 TEST_CASE("a label shows its usual text until another is told")
 {
     const std::string object = "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans }";
-    Stage usual{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object, canvas};
+    Stage default_value{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object,
+                        canvas};
     Stage empty{with_text("ab", 3, object), canvas};
-    CHECK(usual.picture({}) != empty.picture({}));
+    CHECK(default_value.picture({}) != empty.picture({}));
     empty.player.set_text(0, "ab");
-    CHECK(usual.picture({}) == empty.picture({}));
-    usual.player.set_text(0, "");
+    CHECK(default_value.picture({}) == empty.picture({}));
+    default_value.player.set_text(0, "");
     empty.player.set_text(0, "  ");
-    CHECK(usual.picture({}) == empty.picture({}));
+    CHECK(default_value.picture({}) == empty.picture({}));
 }
 
 TEST_CASE("what has no glyph and what is too long is left out")

@@ -27,9 +27,9 @@ public:
     explicit Chance(std::uint32_t seed) : engine_{seed} {}
 
     /// 0 … `most`, without std's distributions, which differ between libraries.
-    int upto(int most) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(most + 1)); }
+    int upto(int max) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(max + 1)); }
 
-    Stretch stretch()
+    PlayRange stretch()
     {
         const int begin = upto(5);
         return {Time{begin}, Time{begin + 1 + upto(11)}, static_cast<Loop>(upto(2))};
@@ -144,7 +144,7 @@ TEST_CASE("places and reports are those of a step-by-step playhead, however the 
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         CAPTURE(seed);
         Chance chance{seed};
-        const Stretch stretch = chance.stretch();
+        const PlayRange stretch = chance.stretch();
         const std::vector<EventView> events = chance.events();
         Played played{stretch, events};
         SlowPlayhead slow{stretch, events};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_bones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/raw_bones.hpp"
 
@@ -27,7 +27,7 @@ public:
     }
     Puppet(const Puppet&) = delete;
 
-    const std::vector<LiveBone>& at(Time time) { return moved_.bones_at(time); }
+    const std::vector<PosedBone>& at(Time time) { return moved_.bones_at(time); }
 
 private:
     static RawScene scene_with(const std::vector<RawSkeleton>& skeletons)

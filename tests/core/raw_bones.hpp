@@ -71,10 +71,10 @@ inline Bytes bone_bytes(const RawBone& bone)
 /// As the section of bones has it.
 inline Bytes skeleton_bytes(const RawSkeleton& skeleton)
 {
-    Beats common;
+    KeyTimes common;
     for (const RawCommonKey& key : skeleton.common)
         common.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
-    Bytes all = joined({bytes({static_cast<int>(skeleton.bones.size())}), beat_bytes(common)});
+    Bytes all = joined({bytes({static_cast<int>(skeleton.bones.size())}), key_time_bytes(common)});
     for (const RawBone& bone : skeleton.bones)
         all = joined({all, bone_bytes(bone)});
     return block(all);

@@ -50,20 +50,20 @@ struct RawLabel {
 };
 
 /// An input that is a text of `count` characters from `first` on.
-inline Bytes text_input_bytes(std::string_view name, int most, int count, char32_t first,
-                              std::initializer_list<int> usual = {})
+inline Bytes text_input_bytes(std::string_view name, int max, int count, char32_t first,
+                              std::initializer_list<int> default_value = {})
 {
     ByteWriter writer;
     writer.u8(1);
     writer.u8(static_cast<std::uint32_t>(name.size()));
     for (const char letter : name)
         writer.u8(static_cast<std::uint8_t>(letter));
-    writer.u8(static_cast<std::uint32_t>(most));
+    writer.u8(static_cast<std::uint32_t>(max));
     writer.u8(static_cast<std::uint32_t>(count));
     writer.u8(1);
     writer.u32(std::uint32_t{first} << 8);
-    writer.u8(static_cast<std::uint32_t>(usual.size()));
-    writer.append(bytes(usual));
+    writer.u8(static_cast<std::uint32_t>(default_value.size()));
+    writer.append(bytes(default_value));
     return writer.bytes();
 }
 

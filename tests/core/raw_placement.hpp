@@ -62,8 +62,8 @@ struct RawPlacement {
 /// changes sizes by up to a quarter.
 inline RawPlacement random_placement(std::mt19937& random)
 {
-    const auto within = [&random](std::int32_t least, std::int32_t most) {
-        return std::uniform_int_distribution<std::int32_t>{least, most}(random);
+    const auto within = [&random](std::int32_t min, std::int32_t max) {
+        return std::uniform_int_distribution<std::int32_t>{min, max}(random);
     };
     RawPlacement placement;
     for (const auto shift : {&RawPlacement::x, &RawPlacement::y, &RawPlacement::z})

@@ -3,8 +3,8 @@
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/property.hpp"
 #include "core/time/time.hpp"
-#include "host/compiler/pack/beat_writer.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 #include "host/compiler/write/header.hpp"
 #include "host/compiler/write/input_writer.hpp"
@@ -67,11 +67,11 @@ inline Bytes group(const Bytes& items) { return joined({bytes({1}), block(items)
 
 inline Bytes use(int symbol) { return bytes({2, symbol}); }
 
-/// "Beats"; also none.
-inline Bytes beat_bytes(const Beats& beats, Clock clock = {})
+/// "KeyTimes"; also none.
+inline Bytes key_time_bytes(const KeyTimes& key_times, Driver driver = {})
 {
     ByteWriter writer;
-    write_beats({beats, clock}, {}, writer);
+    write_key_times({key_times, driver}, {}, writer);
     return writer.bytes();
 }
 
@@ -93,16 +93,17 @@ struct RawKey {
 
 inline Bytes key_bytes(const std::vector<RawKey>& list)
 {
-    Beats beats;
+    KeyTimes key_times;
     std::vector<std::int32_t> drawings;
     std::vector<std::int32_t> more;
     for (const RawKey& key : list) {
-        beats.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
+        key_times.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
         drawings.push_back(static_cast<std::int32_t>(key.drawing));
         if (key.more)
             more.push_back(*key.more);
     }
-    return joined({beat_bytes(beats), value_bytes(drawings), more.empty() ? Bytes{} : value_bytes(more)});
+    return joined(
+        {key_time_bytes(key_times), value_bytes(drawings), more.empty() ? Bytes{} : value_bytes(more)});
 }
 
 /// The keys of an object that shows one drawing all the time.
@@ -132,15 +133,15 @@ struct RawTrackKey {
 };
 
 /// Values are stored as differences from `from`.
-inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from = 0, Clock clock = {})
+inline Bytes track_keys(const std::vector<RawTrackKey>& list, std::int32_t from = 0, Driver driver = {})
 {
-    Beats beats;
+    KeyTimes key_times;
     std::vector<std::int32_t> values;
     for (const RawTrackKey& key : list) {
-        beats.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
+        key_times.push_back({key.time, static_cast<std::uint32_t>(key.laws)});
         values.push_back(key.value - from);
     }
-    return joined({beat_bytes(beats, clock), value_bytes(values)});
+    return joined({key_time_bytes(key_times, driver), value_bytes(values)});
 }
 
 inline Bytes moving_track(Property property, const std::vector<RawTrackKey>& list)
@@ -155,12 +156,12 @@ inline Bytes smooth_track(Property property, const std::vector<RawTrackKey>& lis
 }
 
 /// Values are in 1/1000.
-inline Bytes input_bytes(std::string_view name, std::int32_t least = 0, std::int32_t most = 1000,
-                         std::int32_t usual = 0)
+inline Bytes input_bytes(std::string_view name, std::int32_t min = 0, std::int32_t max = 1000,
+                         std::int32_t default_value = 0)
 {
     ByteWriter writer;
     DrawingPool none;
-    write_inputs({{std::string{name}, least, most, usual}}, none, writer);
+    write_inputs({{std::string{name}, min, max, default_value}}, none, writer);
     return writer.bytes();
 }
 

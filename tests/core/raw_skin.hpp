@@ -45,10 +45,10 @@ inline std::vector<RawShare> random_shares(std::mt19937& random, int bones)
     std::vector<RawShare> shares(1 + random() % 4);
     int left = 256;
     for (RawShare& share : shares) {
-        const int most = left - static_cast<int>(&shares.back() - &share);
+        const int max = left - static_cast<int>(&shares.back() - &share);
         share.bone = static_cast<int>(random() % static_cast<unsigned>(bones));
         share.weight =
-            &share == &shares.back() ? left : 1 + static_cast<int>(random() % static_cast<unsigned>(most));
+            &share == &shares.back() ? left : 1 + static_cast<int>(random() % static_cast<unsigned>(max));
         left -= share.weight;
     }
     return shares;

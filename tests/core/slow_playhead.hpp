@@ -11,7 +11,7 @@ namespace kfast::test {
 /// What a playhead must do, in steps of a quarter of a tick.
 class SlowPlayhead {
 public:
-    SlowPlayhead(const Stretch& stretch, const std::vector<EventView>& events)
+    SlowPlayhead(const PlayRange& stretch, const std::vector<EventView>& events)
         : stretch_{stretch}, events_{events}, quarter_{4 * stretch.begin.ticks}
     {
     }
@@ -73,7 +73,7 @@ private:
         names_ += runs_back() ? std::string{here.rbegin(), here.rend()} : here;
     }
 
-    Stretch stretch_;
+    PlayRange stretch_;
     std::vector<EventView> events_;
     int quarter_;
     int quarters_ = 0;

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
     const BeamProfile& profile = beam->profile;
     demand(profile.rate >= 1000 && profile.rate <= 1'000'000 && profile.lit_step >= 1);
-    demand(profile.least_refresh >= 1 && profile.rate / profile.least_refresh >= 16);
+    demand(profile.min_refresh >= 1 && profile.rate / profile.min_refresh >= 16);
     Diagnostics again;
     demand(read_beam_text({.name = "text", .text = beam_text(profile)}, again)->profile == profile);
     return 0;

@@ -50,9 +50,9 @@ void check_label(const scene::Label& label, const std::vector<scene::Input>& inp
 {
     demand(label.input < inputs.size() && inputs[label.input].type == InputType::text);
     const scene::TextInput& text = inputs[label.input].text;
-    demand(label.glyphs.size() == text.glyphs.size() && text.usual.size() <= text.most);
+    demand(label.glyphs.size() == text.glyphs.size() && text.default_value.size() <= text.max);
     for (const scene::LabelGlyph& glyph : label.glyphs) {
-        demand(std::abs(glyph.advance) <= kfb::max_text_width / static_cast<std::int32_t>(text.most));
+        demand(std::abs(glyph.advance) <= kfb::max_text_width / static_cast<std::int32_t>(text.max));
         for (const scene::Stroke& stroke : glyph.drawing.strokes)
             check_stroke(stroke);
     }
@@ -89,7 +89,7 @@ void check_tracks(const scene::Item& item, std::size_t colours)
         const ValueRange range = value_range(track.property);
         const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
         for (const scene::TrackKey& key : track.keys) {
-            demand(key.value >= range.least && key.value <= range.most);
+            demand(key.value >= range.min && key.value <= range.max);
             demand(!is_colour || static_cast<std::size_t>(key.value) < colours);
         }
         const auto* const object = std::get_if<scene::Object>(&item.content);

@@ -15,8 +15,8 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr Size panel{24, 17};
-constexpr std::size_t checked_at = 8;           ///< what the checksum covers
-constexpr std::size_t most_drawn_bytes = 20000; ///< of outlines; more take too long for a fuzzer
+constexpr std::size_t checked_at = 8;          ///< what the checksum covers
+constexpr std::size_t max_drawn_bytes = 20000; ///< of outlines; more take too long for a fuzzer
 
 /// Names and times of marks are what parse() promises.
 void read_marks(const SceneView& scene)
@@ -38,14 +38,14 @@ void read_drawing(PackedDrawing drawing)
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
         for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
             drawing.next_segment();
-    demand(drawing.is_sound());
+    demand(drawing.is_valid());
 }
 
 void read_text(const TextInput& text)
 {
     for (std::uint32_t glyph = 0; glyph < text.glyphs.count(); ++glyph)
         demand(text.glyphs.glyph(text.glyphs.character(glyph)) == glyph);
-    demand(text.usual.size() <= text.most);
+    demand(text.default_value.size() <= text.max);
 }
 
 void read_inputs(const SceneView& scene)
@@ -54,10 +54,10 @@ void read_inputs(const SceneView& scene)
         const InputView input = inputs.next();
         demand(scene.input(input.name).has_value());
         if (input.type == InputType::drawing) {
-            read_drawing(scene.drawing(input.drawing.usual));
+            read_drawing(scene.drawing(input.drawing.default_value));
             continue;
         }
-        const Time place = input.place_of(input.usual);
+        const Time place = input.place_of(input.default_value);
         demand(scene.input(input.name).has_value() && place >= Time{} && place <= whole_input);
         if (input.type == InputType::text)
             read_text(input.text);
@@ -76,12 +76,12 @@ void read_tracks(const SceneView& scene, TrackCursor tracks)
 void read_bones(const SceneView& scene)
 {
     std::uint32_t all = 0;
-    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
-        const BonesView bones = skeletons.next();
+    for (SkeletonCursor skeletons = scene.skeletons(); !skeletons.at_end();) {
+        const SkeletonView bones = skeletons.next();
         demand(bones.count() != 0);
         all += bones.count();
-        for (BeatCursor beats = bones.common_beats(); !beats.at_end();)
-            demand(is_valid(scene.laws(beats.next().laws).x));
+        for (KeyTimeCursor key_times = bones.common_key_times(); !key_times.at_end();)
+            demand(is_valid(scene.laws(key_times.next().laws).x));
         for (BoneCursor cursor = bones.bones(); !cursor.at_end();)
             demand(cursor.next().at_rest(BoneQuantity::length) > 0);
     }
@@ -97,7 +97,7 @@ void read_keys(const SceneView& scene, const ObjectView& object)
         if (object.has_arrivals)
             read_drawing(scene.drawing(key.arrival));
         if (object.carrier == Carrier::bones)
-            demand(scene.skin(key.more).is_sound());
+            demand(scene.skin(key.more).is_valid());
         if (object.has_depths)
             read_drawing(scene.drawing(static_cast<std::uint32_t>(key.more)));
     }
@@ -130,7 +130,7 @@ void read(const SceneView& scene)
             read_drawing(scene.drawing(item.path.drawing));
         if (item.kind == ItemKind::object)
             read_keys(scene, item.object);
-        if (item.kind == ItemKind::live && item.live.kind == LiveKind::label)
+        if (item.kind == ItemKind::live && item.live.kind == InputLeaf::label)
             read_label(scene, LabelView::of(item.live.label));
         if (item.object.carrier == Carrier::backbones)
             read_backbones(scene, item.object.backbones);
@@ -156,10 +156,10 @@ void draw_changes(Player& player, PixelFormat format)
 /// Draws points from anywhere, now more and now fewer than there may be.
 void scribble(Player& player, std::uint32_t input, std::uint32_t seed)
 {
-    LiveDrawing drawing = player.drawing(input);
-    const std::uint32_t most = player.scene().input(input).drawing.points;
+    InputDrawing drawing = player.drawing(input);
+    const std::uint32_t max = player.scene().input(input).drawing.points;
     drawing.begin();
-    for (std::uint32_t left = seed * 31 % (most + 2); left > 0; --left) {
+    for (std::uint32_t left = seed * 31 % (max + 2); left > 0; --left) {
         seed = seed * 1664525 + 1013904223;
         if (seed >> 28 == 0)
             drawing.begin_stroke();
@@ -214,7 +214,7 @@ void play(std::span<const std::byte> bytes)
         tell_texts(*scene, *player, drawn);
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
-        if (player->picture().outlines.needed_bytes() > most_drawn_bytes)
+        if (player->picture().outlines.needed_bytes() > max_drawn_bytes)
             continue;
         const PixelFormat format = pixel_formats[drawn++ % pixel_formats.size()];
         draw_changes(*player, format);

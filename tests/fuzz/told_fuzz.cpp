@@ -41,25 +41,25 @@ InputType type_of(std::uint8_t input)
     return inputs[input].type;
 }
 
-std::string text_of(const ToldDrawing& drawing)
+std::string text_of(const ReceivedDrawing& drawing)
 {
     std::string text;
     for (const auto& stroke : drawing) {
-        for (const LivePoint point : stroke)
+        for (const InputPoint point : stroke)
             text += std::to_string(point.x / 16.0) + ',' + std::to_string(point.y / 16.0) + ' ';
         text += "/ ";
     }
     return text;
 }
 
-void demand_sense(const ToldDrawing& drawing)
+void demand_sense(const ReceivedDrawing& drawing)
 {
     for (const auto& stroke : drawing) {
         demand(!stroke.empty());
-        for (const LivePoint point : stroke)
+        for (const InputPoint point : stroke)
             demand(std::max(std::abs(point.x), std::abs(point.y)) <= 2047 * 16);
     }
-    demand(std::get<ToldDrawing>(read_drawing(text_of(drawing))) == drawing);
+    demand(std::get<ReceivedDrawing>(read_drawing(text_of(drawing))) == drawing);
 }
 
 void demand_sense(const LiveValues& values)
@@ -67,7 +67,7 @@ void demand_sense(const LiveValues& values)
     for (const auto& [input, place] : values.places)
         demand(type_of(input) == InputType::number && place >= Time{0} && place <= whole_input);
     for (const auto& [input, text] : values.texts)
-        demand(type_of(input) == InputType::text && text.size() <= link::Text::most);
+        demand(type_of(input) == InputType::text && text.size() <= link::Text::max);
     for (const auto& [input, drawing] : values.drawings) {
         demand(type_of(input) == InputType::drawing);
         demand_sense(drawing);
@@ -84,7 +84,7 @@ try {
 void check_drawing(std::string_view text)
 {
     const auto read = read_drawing(text);
-    if (const auto* const drawing = std::get_if<ToldDrawing>(&read))
+    if (const auto* const drawing = std::get_if<ReceivedDrawing>(&read))
         demand_sense(*drawing);
     else
         demand(!std::get<std::string>(read).empty());

@@ -39,8 +39,8 @@ TEST_CASE("the C++ animation takes drawings by name")
     Bytes block(*Animation::block_bytes(scene, {width, height}));
     auto animation = Animation::create(scene, {width, height}, block);
     REQUIRE(animation);
-    const std::vector<LivePoint> points{{16, 16}, {160, 32}, {24, 80}};
-    const std::array<LiveStroke, 2> strokes{points, points};
+    const std::vector<InputPoint> points{{16, 16}, {160, 32}, {24, 80}};
+    const std::array<InputStroke, 2> strokes{points, points};
     CHECK(animation->set_drawing("curve", std::span{strokes}.first(1)));
     CHECK_FALSE(animation->set_drawing("curve", strokes));
     CHECK_FALSE(animation->set_drawing("curse", std::span{strokes}.first(1)));

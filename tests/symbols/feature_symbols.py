@@ -12,15 +12,15 @@ NM, BARE, WHOLE = sys.argv[1:4]
 # Of each feature something that nothing else may have.
 CODE = {
     "strokes": r"kfast::StrokeOutline::|kfast::stride_along",
-    "tweens": r"kfast::(EqualizedPair|BrokenDrawing|LiveStrokes|TweenWriter)\b|kfast::trace_kept",
-    "bones": r"kfast::LiveBone::pose|kfast::pose_bones|kfast::bones_are_sound|kfast::SkinReader::next",
-    "backbones": r"kfast::LiveBackbones::|kfast::SceneCheck::check_backbones",
+    "tweens": r"kfast::(EqualizedPair|BrokenDrawing|PosedStrokes|TweenWriter)\b|kfast::trace_kept",
+    "bones": r"kfast::PosedBone::pose|kfast::pose_bones|kfast::are_bones_valid|kfast::SkinReader::next",
+    "backbones": r"kfast::PosedBackbones::|kfast::SceneCheck::check_backbones",
     "depth": r"kfast::Projection::|kfast::tilted|kfast::product_in_depth",
-    "wires": r"kfast::LiveWires::|kfast::SceneCheck::check_depths",
+    "wires": r"kfast::PosedWires::|kfast::SceneCheck::check_depths",
     "paths": r"kfast::place_on|kfast::SceneCheck::check_path",
     "smooth": r"kfast::hermite|kfast::PreparedScene::smooth_value",
-    "texts": r"kfast::LabelTrace::|kfast::label_is_sound|kfast::LabelLayout::",
-    "drawings": r"kfast::trace_live_strokes|kfast::LiveDrawings::show_usual",
+    "texts": r"kfast::LabelTrace::|kfast::is_label_valid|kfast::LabelLayout::",
+    "drawings": r"kfast::trace_live_strokes|kfast::InputDrawings::show_default",
 }
 
 

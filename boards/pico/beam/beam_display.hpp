@@ -34,7 +34,7 @@ struct BeamDisplay {
         BeamBoard board{beam, settings, clock, computer};
         using B = BeamBoard;
         static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
-                      ListeningBoard<B> && ChangingBoard<B> && ToldBoard<B>);
+                      ListeningBoard<B> && ChangingBoard<B> && LiveInputBoard<B>);
         run_stage(board);
         __builtin_unreachable(); // the board wants to run for ever
     }

@@ -21,7 +21,7 @@ constexpr std::uint32_t both_machines = 3;
 
 /// 41 ms at 100,000 points a second, as long as most profiles allow; 16 KiB each, of which two take no more
 /// than the bands of a panel.
-constexpr std::size_t most_points = 4096;
+constexpr std::size_t max_points = 4096;
 
 /// Wherever these lie, no loop is right in front of another (looped_words.hpp).
 template <std::size_t size>
@@ -30,7 +30,7 @@ struct Picture {
     Loop loop;
 };
 
-std::array<Picture<most_points>, 2> pictures;
+std::array<Picture<max_points>, 2> pictures;
 Picture<1> parked;
 
 /// A laser may shine for 2 ms in one place.
@@ -62,7 +62,7 @@ void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_ov
 
 std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
 
-void set_up_teller(const BoardSettings& settings, std::uint32_t usual_point)
+void set_up_teller(const BoardSettings& settings, std::uint32_t default_point)
 {
     const Pin bits = settings.pin(PinRole::clock);
     const Pin data = settings.pin(PinRole::data);
@@ -76,7 +76,7 @@ void set_up_teller(const BoardSettings& settings, std::uint32_t usual_point)
     teller.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) | pio::one_set_pin |
                               range(select, pio::set_base_at) | 1u << pio::out_pins_at |
                               range(data, pio::out_base_at));
-    give(teller, usual_point, pio::mov_isr_osr);
+    give(teller, default_point, pio::mov_isr_osr);
     teller.execute_now().write(pio::jump(0));
     for (const Pin pin : {bits, data, select})
         connect(pin, PinFunction::pio0, Pad::fast_output);
@@ -114,7 +114,7 @@ DacBeam::DacBeam(const BoardSettings& settings)
     pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
 }
 
-std::uint32_t DacBeam::room() const { return most_points; }
+std::uint32_t DacBeam::room() const { return max_points; }
 
 bool DacBeam::takes_picture() const { return looped_words::has_gone_over(); }
 

@@ -31,7 +31,7 @@ struct PanelDisplay {
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
                           SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B> &&
-                          ToldBoard<B>);
+                          LiveInputBoard<B>);
             run_stage(board);
         });
         __builtin_unreachable(); // the board wants to run for ever

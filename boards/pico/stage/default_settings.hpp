@@ -9,7 +9,7 @@ namespace kfast::pico {
 /// A module with an ST7789 and 240 x 240 pixels.
 inline constexpr BoardSettings spi_settings = [] {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::st7789).usual;
+    settings.panel = facts_of(Controller::st7789).default_value;
     settings.bus = BusKind::spi;
     settings.bus_clock = 62'500'000;
     settings.pin(PinRole::clock) = 18;
@@ -24,7 +24,7 @@ inline constexpr BoardSettings spi_settings = [] {
 /// A module with an SSD1306 and 128 x 64 pixels.
 inline constexpr BoardSettings i2c_settings = [] {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::ssd1306).usual;
+    settings.panel = facts_of(Controller::ssd1306).default_value;
     settings.bus = BusKind::i2c;
     settings.bus_clock = 400'000;
     settings.i2c_address = 0x3C;
@@ -36,7 +36,7 @@ inline constexpr BoardSettings i2c_settings = [] {
 /// A module with an ILI9341, 320 x 240 pixels as it lies on a table.
 inline constexpr BoardSettings parallel_settings = [] {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::ili9341).usual;
+    settings.panel = facts_of(Controller::ili9341).default_value;
     settings.panel.rotation = Rotation::quarter;
     settings.bus = BusKind::parallel_8;
     settings.bus_clock = 15'000'000;

@@ -55,7 +55,7 @@ public:
     }
     void event_passed(const EventView& event) { report::event_passed(event.name); }
 
-    void plays(LiveScene* player) { stage_.plays(player); }
+    void plays(SceneState* player) { stage_.plays(player); }
     Playhead playhead(const SceneView&) const { return stage_.playhead(); }
     void steer(Playhead& playhead) { stage_.steer(playhead, control_pins_, now()); }
 

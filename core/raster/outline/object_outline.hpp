@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/features.hpp"
-#include "core/math/sight.hpp"
+#include "core/math/view_projection.hpp"
 #include "core/raster/outline/grid.hpp"
 #include "core/raster/outline/outline_store.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
@@ -46,7 +46,7 @@ private:
 class ObjectOutline {
 public:
     /// Of the fill, until stroke_with() is called.
-    ObjectOutline(raster::OutlineStore& outlines, const Sight& sight)
+    ObjectOutline(raster::OutlineStore& outlines, const ViewProjection& sight)
         : outlines_{outlines}, sight_{sight}, fill_{outlines}
     {
     }
@@ -61,7 +61,7 @@ private:
     void line_to(Point seen);
 
     raster::OutlineStore& outlines_;
-    Sight sight_;
+    ViewProjection sight_;
     FillOutline fill_;
     std::optional<StrokeOutline> stroke_;
 };

@@ -59,7 +59,7 @@ Point scaled(Point vector, std::int32_t factor_q15)
 
 Fixed held_on_panel(Fixed at)
 {
-    constexpr std::int32_t farthest = Fixed::pixels(farthest_held).raw();
+    constexpr std::int32_t farthest = Fixed::pixels(max_coordinate).raw();
     return Fixed::from_raw(std::clamp(at.raw(), -farthest, farthest));
 }
 
@@ -104,7 +104,7 @@ std::uint32_t rest_of_turn(Heading a, Heading b, std::int32_t cosine)
 
 }
 
-int most_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
+int max_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
 
 /// What two pieces leave between them: where their inner sides end, and how far they turn.
 struct StrokeOutline::Bend {

@@ -18,7 +18,7 @@ struct Pen {
 };
 
 /// How many corners lie between the ends of half a turn of a pen, at most.
-int most_corners_of_half_turn(Fixed half_width);
+int max_corners_of_half_turn(Fixed half_width);
 
 /// Turns strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
 /// sides of a stroke grow at once. The winding number is positive wherever the pen has been: what the contour

@@ -19,12 +19,12 @@ ValueRange range_of(BoneQuantity quantity)
     return {0, 0};
 }
 
-bool is_within(std::int32_t value, ValueRange range) { return value >= range.least && value <= range.most; }
+bool is_within(std::int32_t value, ValueRange range) { return value >= range.min && value <= range.max; }
 
 /// Of one skeleton.
 class BoneCheck {
 public:
-    BoneCheck(const BonesView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
+    BoneCheck(const SkeletonView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
         : bones_{bones}, laws_{laws}, numbers_{numbers}, allowance_{allowance}
     {
     }
@@ -32,21 +32,21 @@ public:
     bool passes() const { return check_common_keys() && check_bones(); }
 
 private:
-    bool is_key(Clock clock, Time before, Time time, std::uint32_t laws) const
+    bool is_key(Driver driver, Time before, Time time, std::uint32_t laws) const
     {
-        return time > before && is_key_moment(clock, time, numbers_) && laws <= laws_;
+        return time > before && is_key_moment(driver, time, numbers_) && laws <= laws_;
     }
 
     bool check_common_keys() const
     {
-        BeatCursor beats = bones_.common_beats();
-        if (!allowance_.take(beats.count()))
+        KeyTimeCursor key_times = bones_.common_key_times();
+        if (!allowance_.take(key_times.count()))
             return false;
-        for (Time before{-1}; !beats.at_end();) {
-            const Beat beat = beats.next();
-            if (!is_key(beats.clock(), before, beat.time, beat.laws))
+        for (Time before{-1}; !key_times.at_end();) {
+            const KeyTime key_time = key_times.next();
+            if (!is_key(key_times.driver(), before, key_time.time, key_time.laws))
                 return false;
-            before = beat.time;
+            before = key_time.time;
         }
         return true;
     }
@@ -81,18 +81,19 @@ private:
 
     bool check_keys(TrackKeyCursor keys, ValueRange range) const
     {
-        if (keys.at_end() || !allowance_.take(keys.beats().count()))
+        if (keys.at_end() || !allowance_.take(keys.key_times().count()))
             return false;
         for (Time before{-1}; !keys.at_end();) {
             const TrackKey key = keys.next();
-            if (!is_key(keys.beats().clock(), before, key.time, key.laws) || !is_within(key.value, range))
+            if (!is_key(keys.key_times().driver(), before, key.time, key.laws) ||
+                !is_within(key.value, range))
                 return false;
             before = key.time;
         }
         return true;
     }
 
-    const BonesView& bones_;
+    const SkeletonView& bones_;
     std::uint32_t laws_;
     std::uint32_t numbers_; ///< a bit for each input that is one
     ReadAllowance& allowance_;
@@ -100,11 +101,11 @@ private:
 
 }
 
-bool bones_are_sound(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance)
+bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance)
 {
     std::uint32_t skeletons = 0;
-    for (BonesCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
-        const BonesView bones = cursor.next();
+    for (SkeletonCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
+        const SkeletonView bones = cursor.next();
         if (cursor.overrun() || bones.count() == 0 ||
             !BoneCheck{bones, laws, scene.number_inputs(), allowance}.passes())
             return false;

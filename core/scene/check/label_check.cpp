@@ -19,16 +19,16 @@ bool is_width(std::int32_t width) { return width >= -kfb::max_text_width && widt
 /// The largest of `count` values in either direction; beyond kfb::max_text_width it stays beyond it.
 std::int32_t largest(const PackedValues& values, std::uint32_t count)
 {
-    std::int32_t most = 0;
+    std::int32_t max = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         if (!is_width(values[i]))
             return kfb::max_text_width + 1;
-        most = std::max(most, values[i] < 0 ? -values[i] : values[i]);
+        max = std::max(max, values[i] < 0 ? -values[i] : values[i]);
     }
-    return most;
+    return max;
 }
 
-bool pairs_are_sound(const LabelView& label)
+bool are_pairs_valid(const LabelView& label)
 {
     for (std::uint32_t i = 0; i < label.pair_count(); ++i) {
         const std::uint32_t code = label.pair_code(i);
@@ -46,15 +46,15 @@ bool finds_room(const LabelView& label, const TextInput& text)
     const std::int32_t spacing = label.spacing < 0 ? -label.spacing : label.spacing;
     const std::int32_t step =
         largest(label.advances, label.glyph_count) + largest(label.kerning, label.pair_count()) + spacing;
-    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / text.most;
+    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / text.max;
 }
 
 }
 
-bool label_is_sound(const LabelView& label, const TextInput& text)
+bool is_label_valid(const LabelView& label, const TextInput& text)
 {
     return label.is_whole && label.glyph_count == text.glyphs.count() && label.align <= Align::right &&
-           is_coordinate(label.x) && is_coordinate(label.y) && pairs_are_sound(label) &&
+           is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) &&
            finds_room(label, text);
 }
 

@@ -20,9 +20,9 @@ constexpr std::uint32_t per_bone = 2048;
 constexpr std::uint32_t per_border = 48;
 
 /// No product of it and what a point takes overflows; more is dearer than the dearest picture anyway.
-constexpr std::uint32_t most_points = 1U << 20;
+constexpr std::uint32_t max_points = 1U << 20;
 
-constexpr std::uint32_t most_keys = 1U << 24; ///< likewise
+constexpr std::uint32_t max_keys = 1U << 24; ///< likewise
 
 constexpr std::uint32_t thousands(std::uint32_t instructions) { return instructions / 1024 + 1; }
 
@@ -62,7 +62,7 @@ void PictureCost::add(std::uint32_t cost, std::uint32_t parts)
     }
 }
 
-std::uint32_t PictureCost::most() const
+std::uint32_t PictureCost::largest() const
 {
     return std::min(always_ + *std::ranges::max_element(in_part_), max);
 }
@@ -73,7 +73,7 @@ std::uint32_t cost_of_leaf(const ObjectStyle& style, std::uint32_t points, std::
 {
     const std::uint32_t fill = style.is_filled ? per_filled_point + per_point : 0;
     const std::uint32_t stroke = style.is_stroked ? per_stroked_point + per_point : 0;
-    return thousands(per_layer * layers_of(style) + std::min(points, most_points) * (fill + stroke));
+    return thousands(per_layer * layers_of(style) + std::min(points, max_points) * (fill + stroke));
 }
 
 std::uint32_t cost_of_path(std::uint32_t segments) { return thousands(per_path_segment * segments); }
@@ -82,7 +82,7 @@ std::uint32_t cost_of_records(const SceneRecords& records, std::uint32_t keys, s
 {
     return thousands(per_timeline * records.timelines + per_track_with_new_keys * records.tracks +
                      per_bone * records.bones + per_border * borders) +
-           thousands(std::min(keys, most_keys) * per_key_passed);
+           thousands(std::min(keys, max_keys) * per_key_passed);
 }
 
 std::uint32_t cost_of_ordered(std::uint32_t items, std::uint32_t ordered)

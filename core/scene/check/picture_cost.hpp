@@ -39,7 +39,7 @@ public:
     /// `parts` as of SceneParts.
     void add(std::uint32_t cost, std::uint32_t parts);
     /// Of the part in which it is most.
-    std::uint32_t most() const;
+    std::uint32_t largest() const;
 
 private:
     std::uint32_t always_ = 0;

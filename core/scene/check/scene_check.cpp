@@ -85,7 +85,7 @@ bool SceneCheck::check_bones()
     if (!needs(Feature::bones) || !scene_.features().bones->check(scene_, scene_.law_count_, allowance_))
         return false;
     std::uint32_t bones = 0;
-    for (BonesCursor cursor = scene_.skeletons(); !cursor.at_end();)
+    for (SkeletonCursor cursor = scene_.skeletons(); !cursor.at_end();)
         bones += cursor.skip();
     return bones <= kfb::max_bones_together;
 }
@@ -100,7 +100,7 @@ bool SceneCheck::check_symbols()
         ItemTotals& totals = symbols_[number];
         if (symbols.overrun() || !check_items(items, number, 1, totals))
             return false;
-        totals.cost = static_cast<std::uint16_t>(cost_.most());
+        totals.cost = static_cast<std::uint16_t>(cost_.largest());
         totals.shown = shown_;
     }
     return symbols.left() == 0;
@@ -110,7 +110,7 @@ bool SceneCheck::check_symbols()
 bool SceneCheck::check_whole()
 {
     cost_ = {};
-    most_ = 0;
+    max_ = 0;
     ItemTotals totals;
     if (!check_items(scene_.items(), scene_.symbol_count_, 0, totals) || totals.is_too_much)
         return false;
@@ -118,7 +118,7 @@ bool SceneCheck::check_whole()
     scene_.blended_depth_ = totals.blended;
     scene_.records_.spaces = totals.spaces;
     scene_.records_.levels = totals.depth + 2U; // the scene and a leaf
-    scene_.cost_ = static_cast<std::uint16_t>(cost_.most());
+    scene_.cost_ = static_cast<std::uint16_t>(cost_.largest());
     if (scene_.cost_ == PictureCost::max)
         error_ = Error::too_slow;
     return error_ != Error::too_slow;

@@ -44,11 +44,12 @@ private:
 };
 
 /// Whether a scene may have a key there, the inputs of which are numbers where `numbers` has their bit.
-constexpr bool is_key_moment(Clock clock, Time time, std::uint32_t numbers)
+constexpr bool is_key_moment(Driver driver, Time time, std::uint32_t numbers)
 {
-    if (clock.is_time())
+    if (driver.is_time())
         return time.ticks <= kfb::max_time;
-    return clock.input <= kfb::max_inputs && (numbers >> (clock.input - 1U) & 1U) != 0 && time <= whole_input;
+    return driver.input <= kfb::max_inputs && (numbers >> (driver.input - 1U) & 1U) != 0 &&
+           time <= whole_input;
 }
 
 /// Looks for everything that can be wrong within the sections of a scene, and counts what it needs.
@@ -78,7 +79,7 @@ public:
     /// Of an item that shows the input `text`.
     bool check_label(const LabelView& label, const TextInput& text);
     /// Lines, and no more than the input may have.
-    bool check_usual(const DrawingInput& input);
+    bool check_default(const DrawingInput& input);
 
 private:
     /// A drawing that was checked a short while ago.
@@ -140,7 +141,7 @@ private:
     bool check_points(std::uint32_t offset, CheckedDrawing& checked);
     bool check_drawings(const ObjectView& object, const Key& key, std::uint32_t bones);
     bool check_carrier(const ObjectView& object);
-    bool is_moment(Clock clock, Time time) const;
+    bool is_moment(Driver driver, Time time) const;
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
 
     SceneView& scene_;
@@ -158,19 +159,19 @@ private:
     std::uint32_t points_ = 0;         ///< of its largest drawing, or of all of its letters
     std::uint32_t drawing_points_ = 0; ///< of the drawing checked last
     // Of the item that costs most.
-    std::uint32_t most_ = 0;
+    std::uint32_t max_ = 0;
     std::uint32_t item_ = 0xFFFF'FFFF;
 };
 
 /// Whether nothing is wrong with the scene's skeletons of bones; `laws` pairs of laws are stored.
-bool bones_are_sound(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance);
+bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance);
 
 /// Whether the inputs of the scene, which has its sections, are what the format allows, but for the drawings
 /// that they refer to.
-bool inputs_are_sound(const SceneView& scene);
+bool are_inputs_valid(const SceneView& scene);
 
 /// Whether a label of this input is what the format allows, but for the drawings that it refers to.
-bool label_is_sound(const LabelView& label, const TextInput& text);
+bool is_label_valid(const LabelView& label, const TextInput& text);
 
 // Of drawings that have been checked, at offsets in a scene's section of drawings:
 

@@ -13,7 +13,7 @@ bool is_of_depth(Property property)
     return property == Property::z || property == Property::rotation_x || property == Property::rotation_y;
 }
 
-bool is_sound(const BeamStyle& beam, const ObjectStyle& style)
+bool is_valid(const BeamStyle& beam, const ObjectStyle& style)
 {
     if (beam.parts > BeamParts::both)
         return false;
@@ -86,7 +86,7 @@ bool SceneCheck::check_item(const ItemView& item, Level& level, Tracks& tracks)
     level.ordered = static_cast<std::uint16_t>(level.ordered + (tracks.has_order ? 1 : 0));
     tracks.is_placed = item.is_placed();
     tracks.seen &= level.tracks.seen;
-    if (!item.is_known || !is_sound(item.beam, item.object.style))
+    if (!item.is_known || !is_valid(item.beam, item.object.style))
         return false;
     if (!item.path.is_known)
         return true;
@@ -145,8 +145,8 @@ void SceneCheck::add_cost(std::uint32_t cost, std::uint32_t seen)
 {
     cost_.add(cost, seen);
     shown_ |= seen;
-    if (cost > most_ && seen != 0) {
-        most_ = cost;
+    if (cost > max_ && seen != 0) {
+        max_ = cost;
         item_ = items_read_ - 1;
     }
 }
@@ -176,7 +176,7 @@ std::uint32_t SceneCheck::seen_by(const TrackView& track) const
     if (track.is_fixed)
         return track.value == 0 ? 0 : SceneParts::all;
     TrackKeyCursor keys = track.keys;
-    if (track.is_smooth || !keys.beats().clock().is_time())
+    if (track.is_smooth || !keys.key_times().driver().is_time())
         return SceneParts::all;
     TrackKey from = keys.next();
     std::uint32_t seen = from.value != 0 ? parts_.between({}, from.time) : 0;
@@ -205,11 +205,11 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style)
     if (track.is_fixed)
         return check_value(track, track.value);
     TrackKeyCursor keys = track.keys;
-    if (keys.at_end() || !may_read(keys.beats().count()))
+    if (keys.at_end() || !may_read(keys.key_times().count()))
         return false;
     for (Time before{-1}; !keys.at_end();) {
         const TrackKey key = keys.next();
-        if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
+        if (key.time <= before || !is_moment(keys.key_times().driver(), key.time) || !is_law(key.laws) ||
             !check_value(track, key.value))
             return false;
         before = key.time;
@@ -217,16 +217,16 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style)
     return true;
 }
 
-bool SceneCheck::is_moment(Clock clock, Time time) const
+bool SceneCheck::is_moment(Driver driver, Time time) const
 {
-    return is_key_moment(clock, time, scene_.number_inputs());
+    return is_key_moment(driver, time, scene_.number_inputs());
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
 {
     const ValueRange range = value_range(track.property);
     const bool is_colour = track.property == Property::fill || track.property == Property::stroke;
-    return value >= range.least && value <= range.most &&
+    return value >= range.min && value <= range.max &&
            (!is_colour || static_cast<std::size_t>(value) < scene_.palette_size());
 }
 

@@ -6,7 +6,7 @@ namespace kfast {
 
 bool SceneCheck::check_inputs()
 {
-    if (!inputs_are_sound(scene_))
+    if (!are_inputs_valid(scene_))
         return false;
     InputCursor inputs = scene_.inputs();
     for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
@@ -22,11 +22,11 @@ bool SceneCheck::check_inputs()
     return true;
 }
 
-bool SceneCheck::check_usual(const DrawingInput& input)
+bool SceneCheck::check_default(const DrawingInput& input)
 {
-    if (!check_drawing(input.usual))
+    if (!check_drawing(input.default_value))
         return false;
-    PackedDrawing drawing = scene_.drawing(input.usual);
+    PackedDrawing drawing = scene_.drawing(input.default_value);
     std::uint32_t points = drawing.strokes();
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
         const std::uint32_t segments = drawing.next_stroke();
@@ -44,10 +44,10 @@ bool SceneCheck::check_live(const ItemView& item)
     if (!input || !check_style(item.object.style))
         return false;
     switch (item.live.kind) {
-    case LiveKind::drawing:
+    case InputLeaf::drawing:
         points_ = input->drawing.points;
         return input->type == InputType::drawing;
-    case LiveKind::label:
+    case InputLeaf::label:
         return input->type == InputType::text &&
                scene_.features().texts->check(*this, LabelView::of(item.live.label), input->text);
     }
@@ -56,12 +56,12 @@ bool SceneCheck::check_live(const ItemView& item)
 
 bool SceneCheck::check_label(const LabelView& label, const TextInput& text)
 {
-    if (!label_is_sound(label, text))
+    if (!is_label_valid(label, text))
         return false;
     for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)
         if (!check_drawing(static_cast<std::uint32_t>(label.drawings[glyph])))
             return false;
-    points_ *= text.most;
+    points_ *= text.max;
     return true;
 }
 

@@ -14,7 +14,7 @@ std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
 {
     if (object.carrier != Carrier::bones)
         return 0;
-    BonesCursor skeletons = scene.skeletons();
+    SkeletonCursor skeletons = scene.skeletons();
     std::uint32_t bones = 0;
     for (std::uint32_t number = 0; number <= object.skeleton; ++number) {
         if (skeletons.at_end())
@@ -38,7 +38,7 @@ bool is_within(const Segment& segment)
     return is_within(segment.to) && is_within(segment.c1) && is_within(segment.c2);
 }
 
-bool is_sound(const Binding& binding, std::uint32_t bones)
+bool is_valid(const Binding& binding, std::uint32_t bones)
 {
     bool sound = true;
     binding.each([&](BoneShare share) { sound = sound && share.bone < bones && share.weight >= 1; });
@@ -51,13 +51,13 @@ bool is_sound(const Binding& binding, std::uint32_t bones)
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
         const std::uint32_t segments = drawing.next_stroke();
         for (std::uint32_t i = 0; i <= segments; ++i) {
-            if (!is_sound(skin.next(), bones) || !skin.is_sound())
+            if (!is_valid(skin.next(), bones) || !skin.is_valid())
                 return false;
             if (i != segments)
                 drawing.next_segment();
         }
     }
-    return skin.run_is_over() && skin.is_sound();
+    return skin.run_is_over() && skin.is_valid();
 }
 
 }
@@ -94,7 +94,7 @@ bool SceneCheck::check_keys(const ObjectView& object)
         const bool is_new = is_first || key.drawing != before.drawing || key.more != before.more;
         if ((key.drawing != first.drawing || key.more != first.more) && !needs(Feature::tweens))
             return false;
-        if (key.time <= before.time || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
+        if (key.time <= before.time || !is_moment(keys.key_times().driver(), key.time) || !is_law(key.laws) ||
             !(is_new ? check_drawings(object, key, bones) : may_read(1)))
             return false;
         if (object.has_arrivals && !check_drawing(key.arrival))
@@ -137,15 +137,15 @@ bool SceneCheck::check_points(std::uint32_t offset, CheckedDrawing& checked)
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_sound() || !is_within(reader.start()) || segments > kfb::max_drawing_points ||
+        if (!reader.is_valid() || !is_within(reader.start()) || segments > kfb::max_drawing_points ||
             points > kfb::max_drawing_points || !may_read(segments))
             return false;
         for (std::uint32_t i = 0; i < segments; ++i)
-            if (!is_within(reader.next_segment()) || !reader.is_sound())
+            if (!is_within(reader.next_segment()) || !reader.is_valid())
                 return false;
     }
     checked = {offset + 1, points};
-    return reader.is_sound();
+    return reader.is_valid();
 }
 
 bool SceneCheck::check_carrier(const ObjectView& object)
@@ -170,7 +170,7 @@ bool SceneCheck::check_backbones(const BackbonesView& backbones)
     const std::uint32_t first = backbones.keys().next().drawing;
     for (Time before{-1}; !keys.at_end();) {
         const BackboneKey key = keys.next();
-        if (key.time <= before || !is_moment(keys.beats().clock(), key.time) || !is_law(key.laws) ||
+        if (key.time <= before || !is_moment(keys.key_times().driver(), key.time) || !is_law(key.laws) ||
             !check_drawing(key.drawing) || !may_read(drawing_points_) ||
             !are_backbones(scene_.drawings_, key.drawing) ||
             !is_built_alike(scene_.drawings_, key.drawing, first))
@@ -212,7 +212,7 @@ bool SceneCheck::check_path(const ItemView& item)
         return false;
     PackedDrawing reader = scene_.drawing(item.path.drawing);
     const std::uint32_t segments = reader.strokes() == 1 ? reader.next_stroke() : 0;
-    if (!reader.is_sound() || !is_within(reader.start()))
+    if (!reader.is_valid() || !is_within(reader.start()))
         return false;
     if (!may_read(segments))
         return false;
@@ -220,7 +220,7 @@ bool SceneCheck::check_path(const ItemView& item)
     ByteReader lengths = item.path.lengths;
     std::uint32_t total = 0;
     for (std::uint32_t i = 0; i < segments; ++i) {
-        const bool is_segment = is_within(reader.next_segment()) && reader.is_sound();
+        const bool is_segment = is_within(reader.next_segment()) && reader.is_valid();
         const std::uint32_t length = lengths.varint();
         if (!is_segment || length == 0 || length > kfb::max_path || lengths.overrun())
             return false;

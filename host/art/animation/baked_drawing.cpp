@@ -8,7 +8,7 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// The points of drawings of one form in one row, three for each curve.
 class DrawingSpots {
@@ -42,7 +42,7 @@ public:
 private:
     static void append(const Outline& outline, Outline& form, Spots& spots)
     {
-        Spot from = outline.from;
+        Vec2 from = outline.from;
         spots.list.push_back(from);
         for (std::size_t i = 0; i < outline.curves.size(); ++i) {
             const Curve curve = as_cubic(from, outline.curves[i]);
@@ -62,7 +62,7 @@ Baking for_places(Baking baking)
     return baking;
 }
 
-Channel channel(const Animated<Spots>& baked, double Spot::*coordinate)
+Channel channel(const Animated<Spots>& baked, double Vec2::*coordinate)
 {
     std::vector<Key<double>> keys;
     for (const auto& key : baked.keys)
@@ -85,13 +85,13 @@ Animated<Drawing> baked_drawing(const std::function<Drawing(double)>& drawing_at
 
 Channel baked_channel(const std::function<double(double)>& value_at, const Baking& baking)
 {
-    return channel(baked_spots([&](double time) { return Spots{{{value_at(time), 0}}}; }, baking), &Spot::x);
+    return channel(baked_spots([&](double time) { return Spots{{{value_at(time), 0}}}; }, baking), &Vec2::x);
 }
 
-PlaceChannels baked_place(const std::function<Spot(double)>& place_at, const Baking& baking)
+PlaceChannels baked_place(const std::function<Vec2(double)>& place_at, const Baking& baking)
 {
     const auto baked = baked_spots([&](double time) { return Spots{{place_at(time)}}; }, for_places(baking));
-    return {channel(baked, &Spot::x), channel(baked, &Spot::y)};
+    return {channel(baked, &Vec2::x), channel(baked, &Vec2::y)};
 }
 
 }

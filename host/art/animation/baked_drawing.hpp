@@ -19,6 +19,6 @@ struct PlaceChannels {
 };
 
 /// As baked_spots(), of a place, which is never further away than the tolerance.
-PlaceChannels baked_place(const std::function<scene::Spot(double)>& place_at, const Baking& baking);
+PlaceChannels baked_place(const std::function<scene::Vec2(double)>& place_at, const Baking& baking);
 
 }

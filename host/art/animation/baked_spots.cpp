@@ -12,7 +12,7 @@
 namespace kfast::art {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 struct Sample {
     double time = 0;
@@ -21,12 +21,12 @@ struct Sample {
 
 double farthest(const Spots& left, const Spots& right)
 {
-    double most = 0;
+    double max = 0;
     for (std::size_t i = 0; i < left.list.size(); ++i) {
-        const Spot apart = left.list[i] - right.list[i];
-        most = std::max({most, std::abs(apart.x), std::abs(apart.y)});
+        const Vec2 apart = left.list[i] - right.list[i];
+        max = std::max({max, std::abs(apart.x), std::abs(apart.y)});
     }
-    return most;
+    return max;
 }
 
 /// The slopes of straight ways that a coordinate may take from a start.
@@ -63,7 +63,7 @@ public:
             passes = slopes.narrow(way / span, tolerance_ / span) && passes;
         };
         for (std::size_t i = 0; i < start.spots.list.size(); ++i) {
-            const Spot way = sample.spots.list[i] - start.spots.list[i];
+            const Vec2 way = sample.spots.list[i] - start.spots.list[i];
             narrow(slopes_[2 * i], way.x);
             narrow(slopes_[2 * i + 1], way.y);
         }
@@ -80,7 +80,7 @@ private:
 /// Takes samples in order, and keeps as keys those that the others lie between.
 class StraightKeys {
 public:
-    StraightKeys(double tolerance, std::size_t most) : tolerance_{tolerance}, most_{most} {}
+    StraightKeys(double tolerance, std::size_t max) : tolerance_{tolerance}, max_{max} {}
 
     void take(Sample sample)
     {
@@ -135,8 +135,8 @@ private:
 
     void add_key()
     {
-        if (keys_.size() == most_)
-            throw Failure("what moves takes more than " + std::to_string(most_) +
+        if (keys_.size() == max_)
+            throw Failure("what moves takes more than " + std::to_string(max_) +
                           " keys within the tolerance: allow a greater one, or make the animation shorter");
         keys_.push_back({window_.front().time, window_.front().spots, {}});
     }
@@ -166,7 +166,7 @@ private:
     }
 
     double tolerance_;
-    std::size_t most_;
+    std::size_t max_;
     std::deque<Sample> window_; ///< from the last key on
     std::size_t next_ = 1;      ///< index of the sample that the cone takes next
     std::size_t end_ = 0;       ///< index of the last sample at which the way can end
@@ -179,7 +179,7 @@ private:
 class Baker {
 public:
     Baker(const std::function<Spots(double)>& spots_at, const Baking& baking)
-        : spots_at_{spots_at}, baking_{baking}, keys_{baking.tolerance / 2, baking.most_keys}
+        : spots_at_{spots_at}, baking_{baking}, keys_{baking.tolerance / 2, baking.max_keys}
     {
     }
 
@@ -201,7 +201,7 @@ public:
     }
 
 private:
-    static constexpr int most_halvings = 5;
+    static constexpr int max_halvings = 5;
 
     Sample sample_at(double time) const { return {time, spots_at_(time)}; }
 
@@ -222,7 +222,7 @@ private:
         const auto steps = static_cast<int>(std::ceil((end - begin) / step_));
         for (int i = 1; i <= steps; ++i) {
             Sample next = sample_at(i < steps ? begin + (end - begin) * i / steps : end);
-            take_between(last, next, most_halvings);
+            take_between(last, next, max_halvings);
             keys_.take(next);
             last = std::move(next);
         }

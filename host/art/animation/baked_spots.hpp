@@ -11,7 +11,7 @@ namespace kfast::art {
 
 /// Places that change together; always the same number of them.
 struct Spots {
-    std::vector<scene::Spot> list;
+    std::vector<scene::Vec2> list;
 };
 
 Spots mixed(const Spots& from, const Spots& to, double share);
@@ -26,8 +26,8 @@ struct Baking {
     double to = 0;   ///< not before `from`
     /// When the function jumps, or its curve has a bend: the keys of what it is made of. In any order.
     std::vector<double> critical;
-    double tolerance = 0;           ///< above 0
-    std::size_t most_keys = 65'535; ///< as many as the scene allows an item
+    double tolerance = 0;          ///< above 0
+    std::size_t max_keys = 65'535; ///< as many as the scene allows an item
 };
 
 /// Keys with straight ways between them (or held ones, where the function jumps) that are never further from

@@ -36,12 +36,12 @@ double share_of_way(const Ease& ease, double time)
 double parameter_at(const Ease& ease, double time)
 {
     // x rises with the parameter, for x1 and x2 are 0 to 1. Newton's steps, or halves where those lead away.
-    constexpr int most_steps = 60;
+    constexpr int max_steps = 60;
     constexpr double near_enough = 1e-15;
     double low = 0;
     double high = 1;
     double parameter = time;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         const double miss = cubic(ease.x1, ease.x2, parameter) - time;
         if (std::abs(miss) <= near_enough)
             break;

@@ -121,9 +121,9 @@ private:
     static bool is_way(const Values& y)
     {
         const double way = y[3] - y[0];
-        const double most = highest_y * std::abs(way) + no_way;
+        const double max = highest_y * std::abs(way) + no_way;
         const double middle = 0.5 * (y[3] + y[0]);
-        return std::abs(y[1] - middle) <= most && std::abs(y[2] - middle) <= most;
+        return std::abs(y[1] - middle) <= max && std::abs(y[2] - middle) <= max;
     }
 
     static Ease ease_of(const Values& x, const Values& y)

@@ -108,13 +108,13 @@ double rounded(double value) { return std::round(value * 8192) / 8192; }
 
 std::optional<Ease> fitted_ease(std::span<const double> ways)
 {
-    constexpr int most_rounds = 24;
+    constexpr int max_rounds = 24;
     if (ways.size() < 5)
         return std::nullopt;
     Vector best = first_guess(ways);
     Misses misses{ways, best};
     double damping = 0.01;
-    for (int round = 0; round < most_rounds && misses.sum() > 1e-12; ++round) {
+    for (int round = 0; round < max_rounds && misses.sum() > 1e-12; ++round) {
         Vector next = best;
         const Vector step = misses.step(damping);
         for (std::size_t i = 0; i < 4; ++i)

@@ -138,8 +138,8 @@ inline bool operator==(const Group& left, const Group& right) { return left.node
 struct Bone {
     std::string name;
     std::optional<std::size_t> parent; ///< index of an earlier bone
-    scene::Spot from;                  ///< as set up
-    scene::Spot to;                    ///< not `from`
+    scene::Vec2 from;                  ///< as set up
+    scene::Vec2 to;                    ///< not `from`
     Channel turn = {0};                ///< from the direction as set up
     Channel x = {0};                   ///< of where it begins, from there as set up, in directions as set up
     Channel y = {0};

@@ -11,7 +11,7 @@
 namespace kfast::art {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 double greatest(Range range)
 {
@@ -33,18 +33,18 @@ Range product(double factor, Range range)
 template <typename Value>
 double overshoot_of(const Animated<Value>& animated)
 {
-    double most = 0;
+    double max = 0;
     for (const auto& key : animated.keys) {
         const WayRange range = way_range(key.ease);
-        most = std::max({most, -range.low, range.high - 1});
+        max = std::max({max, -range.low, range.high - 1});
     }
-    return most;
+    return max;
 }
 
 Extent extent_of(const Drawing& drawing)
 {
     Extent extent;
-    const auto take = [&](Spot spot) {
+    const auto take = [&](Vec2 spot) {
         extent.x.take(spot.x);
         extent.y.take(spot.y);
     };
@@ -72,12 +72,12 @@ double line_reach(const Line& line)
 /// Bones keep what they carry within the sum of all their lengths and ways.
 double rig_reach(const Rig& rig, const Extent& extent)
 {
-    const Spot root = rig.bones.front().from;
+    const Vec2 root = rig.bones.front().from;
     double reach = std::max(greatest(difference(extent.x, {root.x, root.x})),
                             greatest(difference(extent.y, {root.y, root.y})));
-    reach *= std::numbers::sqrt2 * stretch_of(rig);
+    reach *= std::numbers::sqrt2 * play_range_of(rig);
     for (const Bone& bone : rig.bones)
-        reach += distance(bone.from, root) * stretch_of(rig) + distance(bone.from, bone.to) +
+        reach += distance(bone.from, root) * play_range_of(rig) + distance(bone.from, bone.to) +
                  greatest(bone.x) + greatest(bone.y) + (bone.length ? greatest(*bone.length) : 0);
     return reach;
 }
@@ -157,7 +157,7 @@ Extent extent_of(const Figure& figure, std::span<const Rig> rigs)
     if (figure.skin && figure.skin->rig < rigs.size()) {
         const Rig& rig = rigs[figure.skin->rig];
         const double reach = rig_reach(rig, {widened(extent.x, beyond), widened(extent.y, beyond), {}});
-        const Spot root = rig.bones.front().from;
+        const Vec2 root = rig.bones.front().from;
         return {{root.x - reach, root.x + reach}, {root.y - reach, root.y + reach}, {0, 0}};
     }
     return {widened(extent.x, beyond), widened(extent.y, beyond), {0, 0}};
@@ -181,18 +181,17 @@ double skew_growth(const Transform& transform)
 
 double growth_of(const Transform& transform)
 {
-    constexpr double least = 1e-6;
-    return std::max({least, greatest(transform.scale_x), greatest(transform.scale_y)}) *
-           skew_growth(transform);
+    constexpr double min = 1e-6;
+    return std::max({min, greatest(transform.scale_x), greatest(transform.scale_y)}) * skew_growth(transform);
 }
 
-double stretch_of(const Rig& rig)
+double play_range_of(const Rig& rig)
 {
-    double most = 1;
+    double max = 1;
     for (const Bone& bone : rig.bones)
         if (bone.length)
-            most = std::max(most, greatest(*bone.length) / std::max(distance(bone.from, bone.to), 1e-6));
-    return most;
+            max = std::max(max, greatest(*bone.length) / std::max(distance(bone.from, bone.to), 1e-6));
+    return max;
 }
 
 Extent placed(const Extent& content, const Transform& transform)

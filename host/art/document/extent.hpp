@@ -48,6 +48,6 @@ double growth_of(const Transform& transform);
 double skew_growth(const Transform& transform);
 
 /// By how much the bones of the rig make distances larger at most; at least 1.
-double stretch_of(const Rig& rig);
+double play_range_of(const Rig& rig);
 
 }

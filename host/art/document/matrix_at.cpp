@@ -12,7 +12,7 @@ namespace {
 double direction_along(const scene::Outline& path, double share)
 {
     constexpr double beside = 1e-4;
-    const scene::Spot way = spot_along(path, share + beside) - spot_along(path, share - beside);
+    const scene::Vec2 way = spot_along(path, share + beside) - spot_along(path, share - beside);
     return std::atan2(way.y, way.x) * 180 / std::numbers::pi;
 }
 
@@ -22,7 +22,7 @@ Affine place_at(const Transform& transform, double time)
         return moved(transform.x.at(time), transform.y.at(time));
     const scene::Outline& path = transform.path->path.outlines.front();
     const double share = std::clamp(transform.path->share.at(time), 0.0, 1.0);
-    const scene::Spot place = spot_along(path, share);
+    const scene::Vec2 place = spot_along(path, share);
     const Affine move = moved(place.x, place.y);
     return transform.path->turns ? move * turned(direction_along(path, share)) : move;
 }

@@ -8,16 +8,16 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
-Spot between(Spot from, Spot to, double share) { return from + share * (to - from); }
+Vec2 between(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
 /// Walks through the points of a drawing on its way, lines as cubics.
 class Points {
 public:
     explicit Points(const OnWay<Drawing>& way) : way_{way} {}
 
-    Spot begin(std::size_t outline) const
+    Vec2 begin(std::size_t outline) const
     {
         return between(way_.from.outlines[outline].from, way_.to.outlines[outline].from, way_.share);
     }
@@ -84,10 +84,10 @@ double distance(const OnWay<Rgb>& left, const OnWay<Rgb>& right)
 
 double distance(const OnWay<Drawing>& left, const OnWay<Drawing>& right)
 {
-    double most = 0;
+    double max = 0;
     every_pair(left, right,
-               [&](Spot one, Spot other) { most = std::max(most, dot(one - other, one - other)); });
-    return std::sqrt(most);
+               [&](Vec2 one, Vec2 other) { max = std::max(max, dot(one - other, one - other)); });
+    return std::sqrt(max);
 }
 
 double nearest_share(const double& from, const double& to, const OnWay<double>& value)
@@ -103,16 +103,16 @@ double nearest_share(const Rgb& from, const Rgb& to, const OnWay<Rgb>& value)
 
 double nearest_share(const Drawing& from, const Drawing& to, const OnWay<Drawing>& value)
 {
-    std::vector<Spot> ways;
+    std::vector<Vec2> ways;
     double square = 0;
-    every_pair({from, from, 0}, {to, to, 0}, [&](Spot begin, Spot end) {
+    every_pair({from, from, 0}, {to, to, 0}, [&](Vec2 begin, Vec2 end) {
         ways.push_back(end - begin);
         square += dot(end - begin, end - begin);
     });
     double along = 0;
     std::size_t next = 0;
     every_pair({from, from, 0}, value,
-               [&](Spot begin, Spot spot) { along += dot(spot - begin, ways[next++]); });
+               [&](Vec2 begin, Vec2 spot) { along += dot(spot - begin, ways[next++]); });
     return share(along, square);
 }
 

@@ -15,7 +15,7 @@ struct Affine {
     double e = 0;
     double f = 0;
 
-    constexpr scene::Spot of(scene::Spot spot) const
+    constexpr scene::Vec2 of(scene::Vec2 spot) const
     {
         return {a * spot.x + c * spot.y + e, b * spot.x + d * spot.y + f};
     }

@@ -12,7 +12,7 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Parameters at which a polynomial in Bernstein's form changes its sign: where its coefficients do not, it
 /// does not either.
@@ -37,7 +37,7 @@ void find_crossings(const std::array<double, 4>& depths, double from, double to,
     find_crossings({half, mean(b, c), c, depths[3]}, middle, to, found);
 }
 
-double doubled_area(std::span<const Spot> polygon)
+double doubled_area(std::span<const Vec2> polygon)
 {
     double area = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -45,9 +45,9 @@ double doubled_area(std::span<const Spot> polygon)
     return area;
 }
 
-std::vector<Spot> corners_of(const Outline& outline)
+std::vector<Vec2> corners_of(const Outline& outline)
 {
-    std::vector<Spot> corners{outline.from};
+    std::vector<Vec2> corners{outline.from};
     for (const Curve& curve : outline.curves)
         if (scene::distance(corners.back(), curve.to) > 0)
             corners.push_back(curve.to);
@@ -59,7 +59,7 @@ std::vector<Spot> corners_of(const Outline& outline)
 }
 
 // On the line itself as well, so that what lies along it does not flicker.
-double ConvexPolygon::Side::depth(Spot spot) const
+double ConvexPolygon::Side::depth(Vec2 spot) const
 {
     constexpr double breadth = 1e-3;
     return dot(inward, spot - on) + breadth;
@@ -70,7 +70,7 @@ class ConvexPolygon::Cut {
 public:
     explicit Cut(const Side& side) : side_{side} {}
 
-    void add(Spot from, const Curve& curve)
+    void add(Vec2 from, const Curve& curve)
     {
         const Curve cubic = as_cubic(from, curve);
         const CubicPiece whole{{from, cubic.c1, cubic.c2, cubic.to}};
@@ -96,7 +96,7 @@ private:
     std::vector<double> crossings(const CubicPiece& whole, bool is_curve) const
     {
         std::array<double, 4> depths{};
-        std::ranges::transform(whole.points, depths.begin(), [&](Spot spot) { return side_.depth(spot); });
+        std::ranges::transform(whole.points, depths.begin(), [&](Vec2 spot) { return side_.depth(spot); });
         std::vector<double> found;
         if (is_curve)
             find_crossings(depths, 0, 1, found);
@@ -123,7 +123,7 @@ private:
 std::optional<Outline> ConvexPolygon::cut(const Outline& outline, const Side& side)
 {
     Cut cut{side};
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     for (const Curve& curve : outline.curves) {
         cut.add(from, curve);
         from = curve.to;
@@ -133,12 +133,12 @@ std::optional<Outline> ConvexPolygon::cut(const Outline& outline, const Side& si
     return cut.finish();
 }
 
-ConvexPolygon::ConvexPolygon(std::vector<Spot> corners) : corners_{std::move(corners)}
+ConvexPolygon::ConvexPolygon(std::vector<Vec2> corners) : corners_{std::move(corners)}
 {
     const double turn = doubled_area(corners_) < 0 ? -1 : 1;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Spot way = corners_[(i + 1) % corners_.size()] - corners_[i];
-        sides_.push_back({corners_[i], turn / std::sqrt(dot(way, way)) * Spot{-way.y, way.x}});
+        const Vec2 way = corners_[(i + 1) % corners_.size()] - corners_[i];
+        sides_.push_back({corners_[i], turn / std::sqrt(dot(way, way)) * Vec2{-way.y, way.x}});
     }
 }
 
@@ -146,7 +146,7 @@ std::optional<ConvexPolygon> ConvexPolygon::of(const Drawing& drawing)
 {
     if (drawing.outlines.size() != 1 || std::ranges::any_of(drawing.outlines.front().curves, &Curve::cubic))
         return std::nullopt;
-    std::vector<Spot> corners = corners_of(drawing.outlines.front());
+    std::vector<Vec2> corners = corners_of(drawing.outlines.front());
     if (corners.size() < 3 || doubled_area(corners) == 0)
         return std::nullopt;
     ConvexPolygon polygon{std::move(corners)};
@@ -154,17 +154,17 @@ std::optional<ConvexPolygon> ConvexPolygon::of(const Drawing& drawing)
     return polygon.contains(polygon.corners_, 0) ? std::optional{std::move(polygon)} : std::nullopt;
 }
 
-bool ConvexPolygon::contains(std::span<const Spot> points, double distance) const
+bool ConvexPolygon::contains(std::span<const Vec2> points, double distance) const
 {
     return std::ranges::all_of(sides_, [&](const Side& side) {
-        return std::ranges::all_of(points, [&](Spot point) { return side.depth(point) >= distance; });
+        return std::ranges::all_of(points, [&](Vec2 point) { return side.depth(point) >= distance; });
     });
 }
 
-bool ConvexPolygon::misses(std::span<const Spot> points, double distance) const
+bool ConvexPolygon::misses(std::span<const Vec2> points, double distance) const
 {
     return std::ranges::any_of(sides_, [&](const Side& side) {
-        return std::ranges::all_of(points, [&](Spot point) { return side.depth(point) <= -distance; });
+        return std::ranges::all_of(points, [&](Vec2 point) { return side.depth(point) <= -distance; });
     });
 }
 

@@ -14,12 +14,12 @@ public:
     /// Nothing if the drawing is not one outline of lines alone, which turn one way all round.
     static std::optional<ConvexPolygon> of(const Drawing& drawing);
 
-    const std::vector<scene::Spot>& corners() const { return corners_; }
+    const std::vector<scene::Vec2>& corners() const { return corners_; }
 
     /// Whether all that is at most so far away from the points is inside; whether all of it, and what lies
     /// between the points, is outside. False if that is not known.
-    bool contains(std::span<const scene::Spot> points, double distance) const;
-    bool misses(std::span<const scene::Spot> points, double distance) const;
+    bool contains(std::span<const scene::Vec2> points, double distance) const;
+    bool misses(std::span<const scene::Vec2> points, double distance) const;
 
     /// What a filled drawing has inside, by either rule of filling. Curves are divided where they cross the
     /// polygon; what was outside runs along its sides.
@@ -28,17 +28,17 @@ public:
 private:
     /// Of a line, the side that is kept.
     struct Side {
-        scene::Spot on;
-        scene::Spot inward; ///< of length 1
+        scene::Vec2 on;
+        scene::Vec2 inward; ///< of length 1
 
-        double depth(scene::Spot spot) const;
+        double depth(scene::Vec2 spot) const;
     };
     class Cut;
 
-    explicit ConvexPolygon(std::vector<scene::Spot> corners);
+    explicit ConvexPolygon(std::vector<scene::Vec2> corners);
     static std::optional<scene::Outline> cut(const scene::Outline& outline, const Side& side);
 
-    std::vector<scene::Spot> corners_;
+    std::vector<scene::Vec2> corners_;
     std::vector<Side> sides_;
 };
 

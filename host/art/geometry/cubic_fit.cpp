@@ -2,15 +2,15 @@
 
 namespace kfast::art {
 
-using scene::Spot;
+using scene::Vec2;
 
-void CubicFit::take(double parameter, Spot spot, double weight)
+void CubicFit::take(double parameter, Vec2 spot, double weight)
 {
     const double rest = 1 - parameter;
     const double at_first = 3 * rest * rest * parameter; // the weights of the two control points
     const double at_last = 3 * rest * parameter * parameter;
     const double begin = rest * rest * rest + at_first;
-    const Spot miss = spot - (begin * from_ + (1 - begin) * to_);
+    const Vec2 miss = spot - (begin * from_ + (1 - begin) * to_);
     first_ += weight * at_first * at_first;
     both_ += weight * at_first * at_last;
     last_ += weight * at_last * at_last;
@@ -21,12 +21,12 @@ void CubicFit::take(double parameter, Spot spot, double weight)
 CubicPiece CubicFit::free() const
 {
     const double determinant = first_ * last_ - both_ * both_;
-    const Spot first = 1 / determinant * (last_ * towards_first_ - both_ * towards_last_);
-    const Spot last = 1 / determinant * (first_ * towards_last_ - both_ * towards_first_);
+    const Vec2 first = 1 / determinant * (last_ * towards_first_ - both_ * towards_last_);
+    const Vec2 last = 1 / determinant * (first_ * towards_last_ - both_ * towards_first_);
     return {{from_, from_ + first, to_ + last, to_}};
 }
 
-CubicPiece CubicFit::along(Spot first, Spot last) const
+CubicPiece CubicFit::along(Vec2 first, Vec2 last) const
 {
     first = 1 / distance({}, first) * first;
     last = -1 / distance({}, last) * last;

@@ -6,10 +6,10 @@
 namespace kfast::art {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 /// Bézier's polar form: the point of the curve if all three parameters are the same.
-Spot polar(std::array<Spot, 4> points, const std::array<double, 3>& parameters)
+Vec2 polar(std::array<Vec2, 4> points, const std::array<double, 3>& parameters)
 {
     for (std::size_t round = 0; round < 3; ++round)
         for (std::size_t i = 0; i + round < 3; ++i)
@@ -19,17 +19,17 @@ Spot polar(std::array<Spot, 4> points, const std::array<double, 3>& parameters)
 
 double farthest(const CubicPiece& piece)
 {
-    double most = 0;
-    for (const Spot& point : piece.points)
-        most = std::max(most, dot(point, point));
-    return std::sqrt(most);
+    double max = 0;
+    for (const Vec2& point : piece.points)
+        max = std::max(max, dot(point, point));
+    return std::sqrt(max);
 }
 
-bool is_way(Spot way) { return dot(way, way) > 1e-18; }
+bool is_way(Vec2 way) { return dot(way, way) > 1e-18; }
 
 }
 
-Spot CubicPiece::at(double parameter) const { return polar(points, {parameter, parameter, parameter}); }
+Vec2 CubicPiece::at(double parameter) const { return polar(points, {parameter, parameter, parameter}); }
 
 CubicPiece CubicPiece::between(double from, double to) const
 {
@@ -37,7 +37,7 @@ CubicPiece CubicPiece::between(double from, double to) const
              polar(points, {from, to, to}), polar(points, {to, to, to})}};
 }
 
-Spot CubicPiece::first_direction() const
+Vec2 CubicPiece::first_direction() const
 {
     for (const std::size_t i : {std::size_t{1}, std::size_t{2}})
         if (is_way(points[i] - points[0]))
@@ -45,7 +45,7 @@ Spot CubicPiece::first_direction() const
     return chord();
 }
 
-Spot CubicPiece::last_direction() const
+Vec2 CubicPiece::last_direction() const
 {
     for (const std::size_t i : {std::size_t{2}, std::size_t{1}})
         if (is_way(points[3] - points[i]))

@@ -6,20 +6,20 @@ namespace kfast::art {
 namespace {
 
 using scene::Curve;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr int pieces = 16;
 
-double speed(Spot from, const Curve& curve, double t)
+double speed(Vec2 from, const Curve& curve, double t)
 {
     const double rest = 1 - t;
-    const Spot velocity = 3 * rest * rest * (curve.c1 - from) + 6 * rest * t * (curve.c2 - curve.c1) +
+    const Vec2 velocity = 3 * rest * rest * (curve.c1 - from) + 6 * rest * t * (curve.c2 - curve.c1) +
                           3 * t * t * (curve.to - curve.c2);
-    return distance(Spot{}, velocity);
+    return distance(Vec2{}, velocity);
 }
 
 /// Of a cubic between two parameters, by Gauss-Legendre's rule of three points.
-double piece_length(Spot from, const Curve& curve, double begin, double end)
+double piece_length(Vec2 from, const Curve& curve, double begin, double end)
 {
     constexpr double offset = 0.774596669241483377; // the square root of 3/5
     const double middle = (begin + end) / 2;
@@ -30,7 +30,7 @@ double piece_length(Spot from, const Curve& curve, double begin, double end)
            9;
 }
 
-double length_until(Spot from, const Curve& curve, double parameter)
+double length_until(Vec2 from, const Curve& curve, double parameter)
 {
     double length = 0;
     for (int i = 0; i < pieces; ++i)
@@ -40,12 +40,12 @@ double length_until(Spot from, const Curve& curve, double parameter)
 
 }
 
-double curve_length(Spot from, const Curve& curve)
+double curve_length(Vec2 from, const Curve& curve)
 {
     return curve.cubic ? length_until(from, curve, 1) : distance(from, curve.to);
 }
 
-double curve_parameter(Spot from, const Curve& curve, double length)
+double curve_parameter(Vec2 from, const Curve& curve, double length)
 {
     const double whole = curve_length(from, curve);
     if (length <= 0 || length >= whole)
@@ -67,7 +67,7 @@ double curve_parameter(Spot from, const Curve& curve, double length)
     return t;
 }
 
-Spot spot_on(Spot from, const Curve& curve, double t)
+Vec2 spot_on(Vec2 from, const Curve& curve, double t)
 {
     if (!curve.cubic)
         return (1 - t) * from + t * curve.to;
@@ -79,7 +79,7 @@ Spot spot_on(Spot from, const Curve& curve, double t)
 double outline_length(const scene::Outline& outline)
 {
     double length = 0;
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     for (const Curve& curve : outline.curves) {
         length += curve_length(from, curve);
         from = curve.to;
@@ -87,10 +87,10 @@ double outline_length(const scene::Outline& outline)
     return length;
 }
 
-Spot spot_along(const scene::Outline& outline, double share)
+Vec2 spot_along(const scene::Outline& outline, double share)
 {
     double left = share * outline_length(outline);
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     if (share <= 0)
         return from;
     for (const Curve& curve : outline.curves) {

@@ -14,21 +14,21 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
-Spot between(Spot a, Spot b, double share) { return a + share * (b - a); }
+Vec2 between(Vec2 a, Vec2 b, double share) { return a + share * (b - a); }
 
 /// The polar form of a cubic Bézier: its control points over other stretches are values of it.
-Spot blossom(Spot from, const Curve& curve, double r, double s, double t)
+Vec2 blossom(Vec2 from, const Curve& curve, double r, double s, double t)
 {
-    const Spot first = between(from, curve.c1, r);
-    const Spot second = between(curve.c1, curve.c2, r);
-    const Spot third = between(curve.c2, curve.to, r);
+    const Vec2 first = between(from, curve.c1, r);
+    const Vec2 second = between(curve.c1, curve.c2, r);
+    const Vec2 third = between(curve.c2, curve.to, r);
     return between(between(first, second, s), between(second, third, s), t);
 }
 
 /// From where a curve is at `begin` to `end`, both parameters.
-Curve stretch(Spot from, const Curve& curve, double begin, double end)
+Curve stretch(Vec2 from, const Curve& curve, double begin, double end)
 {
     if (!curve.cubic)
         return scene::line_to(between(from, curve.to, end));
@@ -86,7 +86,7 @@ public:
     void run(const Outline& outline)
     {
         begins_drawn_ = rhythm_.is_drawn();
-        Spot from = outline.from;
+        Vec2 from = outline.from;
         for (const Curve& curve : outline.curves) {
             cut(from, curve);
             from = curve.to;
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    void cut(Spot from, const Curve& curve)
+    void cut(Vec2 from, const Curve& curve)
     {
         const double whole = curve_length(from, curve);
         double gone = 0;
@@ -118,7 +118,7 @@ private:
         rhythm_.go(whole - gone);
     }
 
-    void draw(Spot from, const Curve& curve, double begin, double end)
+    void draw(Vec2 from, const Curve& curve, double begin, double end)
     {
         if (!rhythm_.is_drawn()) {
             budget_.take_points(1); // gaps cost time

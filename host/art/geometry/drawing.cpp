@@ -7,9 +7,9 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
-bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+bool equal(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
 bool equal(const Curve& left, const Curve& right)
 {
@@ -24,7 +24,7 @@ bool equal(const Outline& left, const Outline& right)
                               [](const Curve& one, const Curve& other) { return equal(one, other); });
 }
 
-Spot mixed(Spot from, Spot to, double share) { return from + share * (to - from); }
+Vec2 mixed(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
 Curve mixed(const Curve& from, const Curve& to, double share)
 {
@@ -35,8 +35,8 @@ Curve mixed(const Curve& from, const Curve& to, double share)
 Outline mixed(const Outline& from, const Outline& to, double share)
 {
     Outline result{mixed(from.from, to.from, share), {}, from.closed && to.closed};
-    Spot begin = from.from;
-    Spot end = to.from;
+    Vec2 begin = from.from;
+    Vec2 end = to.from;
     for (std::size_t i = 0; i < from.curves.size(); ++i) {
         const bool lines = !from.curves[i].cubic && !to.curves[i].cubic;
         result.curves.push_back(
@@ -50,7 +50,7 @@ Outline mixed(const Outline& from, const Outline& to, double share)
 
 }
 
-Curve as_cubic(Spot from, const Curve& curve)
+Curve as_cubic(Vec2 from, const Curve& curve)
 {
     if (curve.cubic)
         return curve;

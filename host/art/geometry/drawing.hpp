@@ -17,7 +17,7 @@ bool operator==(const Drawing& left, const Drawing& right);
 bool same_form(const Drawing& left, const Drawing& right);
 
 /// The curve, which begins at `from`, as a cubic; of a line, with its control points at thirds.
-scene::Curve as_cubic(scene::Spot from, const scene::Curve& curve);
+scene::Curve as_cubic(scene::Vec2 from, const scene::Curve& curve);
 
 /// Point by point; lines become cubics where the other is one. Of drawings that have not the same form, the
 /// first until the share is 1: only the scene's own player can tween those.

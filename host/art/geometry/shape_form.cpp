@@ -11,26 +11,26 @@ namespace kfast::art {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
 using scene::Stroke;
+using scene::Vec2;
 
 /// Of the powers of ten up to the fifth, and of 1/32: the middle of two coordinates lies there.
 constexpr std::array<double, 7> finenesses = {1, 10, 32, 100, 1'000, 10'000, 100'000};
 
 double rounded(double value, double fineness) { return std::round(value * fineness) / fineness; }
-Spot rounded(Spot spot, double fineness) { return {rounded(spot.x, fineness), rounded(spot.y, fineness)}; }
+Vec2 rounded(Vec2 spot, double fineness) { return {rounded(spot.x, fineness), rounded(spot.y, fineness)}; }
 
 bool draws(const Outline& outline, const Stroke& stroke)
 {
     return in_range(outline) && scene::quantized(outline) == stroke;
 }
 
-Spot spot_of(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
+Vec2 spot_of(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
 
 /// The box about the points where curves begin and end.
 struct Box {
-    Spot low;
-    Spot high;
+    Vec2 low;
+    Vec2 high;
 };
 
 Box box_of(const Outline& outline)
@@ -45,8 +45,8 @@ Box box_of(const Outline& outline)
 
 std::optional<ShapeForm> round_form(const Box& box, const Stroke& stroke, double fineness)
 {
-    const Spot centre = rounded(0.5 * (box.low + box.high), fineness);
-    const Spot radii = rounded(0.5 * (box.high - box.low), fineness);
+    const Vec2 centre = rounded(0.5 * (box.low + box.high), fineness);
+    const Vec2 radii = rounded(0.5 * (box.high - box.low), fineness);
     if (draws(scene::ellipse(centre, radii.x, radii.x), stroke))
         return CircleForm{centre, radii.x};
     if (draws(scene::ellipse(centre, radii.x, radii.y), stroke))
@@ -58,14 +58,14 @@ std::optional<ShapeForm> round_form(const Box& box, const Stroke& stroke, double
 /// side, the first curve is a corner already.
 double corner_radius(const Outline& outline, const Box& box)
 {
-    const Spot corner_end = outline.curves[outline.curves[0].cubic ? 0 : 1].to;
+    const Vec2 corner_end = outline.curves[outline.curves[0].cubic ? 0 : 1].to;
     return std::max(outline.from.x - box.low.x, corner_end.y - box.low.y);
 }
 
 std::optional<ShapeForm> rect_form(double radius, const Box& box, const Stroke& stroke, double fineness)
 {
-    const Spot corner = rounded(box.low, fineness);
-    const Spot size = rounded(box.high - box.low, fineness);
+    const Vec2 corner = rounded(box.low, fineness);
+    const Vec2 size = rounded(box.high - box.low, fineness);
     radius = rounded(radius, fineness);
     if (draws(scene::rectangle(corner, size.x, size.y, radius), stroke))
         return RectForm{corner, size.x, size.y, radius};
@@ -90,7 +90,7 @@ ShapeForm straight_form(const Stroke& stroke, const Box& box)
         if (!std::holds_alternative<PathForm>(rect))
             return rect;
     }
-    std::vector<Spot> spots{spot_of(stroke.from)};
+    std::vector<Vec2> spots{spot_of(stroke.from)};
     for (const scene::Segment& segment : stroke.segments)
         spots.push_back(spot_of(segment.to));
     if (!closed)

@@ -9,25 +9,25 @@ namespace kfast::art {
 
 /// The shapes of the scene language that an importer may write; each has the numbers of its node.
 struct CircleForm {
-    scene::Spot centre;
+    scene::Vec2 centre;
     double radius = 0;
 };
 struct EllipseForm {
-    scene::Spot centre;
+    scene::Vec2 centre;
     double radius_x = 0;
     double radius_y = 0;
 };
 struct RectForm {
-    scene::Spot upper_left;
+    scene::Vec2 upper_left;
     double width = 0;
     double height = 0;
     double corner = 0;
 };
 struct PolygonForm {
-    std::vector<scene::Spot> spots; ///< at least three
+    std::vector<scene::Vec2> spots; ///< at least three
 };
 struct LineForm {
-    std::vector<scene::Spot> spots; ///< at least two
+    std::vector<scene::Vec2> spots; ///< at least two
 };
 struct PathForm {};
 

@@ -10,14 +10,14 @@ namespace kfast::art {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Up to that many radians between two arms, the line has no tip.
 constexpr double smooth_turn = 0.5;
 
 CubicPiece piece(const Outline& outline, std::size_t index)
 {
-    const Spot from = index == 0 ? outline.from : outline.curves[index - 1].to;
+    const Vec2 from = index == 0 ? outline.from : outline.curves[index - 1].to;
     const scene::Curve curve = as_cubic(from, outline.curves[index]);
     return {{from, curve.c1, curve.c2, curve.to}};
 }
@@ -38,7 +38,7 @@ public:
             return;
         const auto closing =
             each([](const Outline& outline) { return outline.from - outline.curves.back().to; });
-        const bool has_line = std::ranges::any_of(closing, [](Spot way) { return dot(way, way) > 0; });
+        const bool has_line = std::ranges::any_of(closing, [](Vec2 way) { return dot(way, way) > 0; });
         if (has_line) {
             add_corner(arriving(form().curves.size() - 1), closing, arms);
             add_corner(closing, setting_out(0), arms);
@@ -57,24 +57,24 @@ private:
     const Outline& form() const { return drawing_.keys.front().value.outlines[outline_]; }
 
     template <typename Direction>
-    std::vector<Spot> each(const Direction& direction) const
+    std::vector<Vec2> each(const Direction& direction) const
     {
-        std::vector<Spot> list;
+        std::vector<Vec2> list;
         list.reserve(drawing_.keys.size());
         for (const auto& key : drawing_.keys)
             list.push_back(direction(key.value.outlines[outline_]));
         return list;
     }
-    std::vector<Spot> setting_out(std::size_t segment) const
+    std::vector<Vec2> setting_out(std::size_t segment) const
     {
         return each([&](const Outline& outline) { return piece(outline, segment).first_direction(); });
     }
-    std::vector<Spot> arriving(std::size_t segment) const
+    std::vector<Vec2> arriving(std::size_t segment) const
     {
         return each([&](const Outline& outline) { return piece(outline, segment).last_direction(); });
     }
 
-    void add_corner(std::vector<Spot> before, std::vector<Spot> behind, std::vector<CornerArm>& arms) const
+    void add_corner(std::vector<Vec2> before, std::vector<Vec2> behind, std::vector<CornerArm>& arms) const
     {
         if (greatest_turn(before, behind, tweens_) <= smooth_turn)
             return;
@@ -113,11 +113,11 @@ std::vector<CornerArm> corner_arms(const Figure& figure)
 
 double corner_motion(std::span<const CornerArm> arms, std::span<const TweenRange> tweens, double half_width)
 {
-    double most = 1;
+    double max = 1;
     for (const CornerArm& arm : arms)
         // It turns by at most twice the motion divided by its length.
-        most = std::max(most, 1 + 2 * arm.growth * half_width / shortest(arm.directions, tweens));
-    return most;
+        max = std::max(max, 1 + 2 * arm.growth * half_width / shortest(arm.directions, tweens));
+    return max;
 }
 
 }

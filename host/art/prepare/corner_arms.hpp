@@ -10,7 +10,7 @@ namespace kfast::art {
 
 /// A direction of a drawing that its line shows: of what meets at a corner, or of an end.
 struct CornerArm {
-    std::vector<scene::Spot> directions; ///< in each key; as long as the handle that gives it
+    std::vector<scene::Vec2> directions; ///< in each key; as long as the handle that gives it
     double growth = 1; ///< how far what is seen moves when the arm turns, in half widths times radians
 };
 

@@ -86,14 +86,14 @@ private:
     {
         Reach best{begin + 1, same(begin, begin + 1) ? Ease{} : keys_[begin].ease};
         extend(begin, 2, best, [&](std::size_t end) { return plain(begin, end); });
-        extend(begin, std::max(least_fitted(begin), best.end - begin + 1), best,
+        extend(begin, std::max(min_fitted(begin), best.end - begin + 1), best,
                [&](std::size_t end) { return fitted(begin, end); });
         return best;
     }
 
     /// How many ways a new ease must take the place of to save bytes: it takes about as many as six keys of a
     /// number, as those do that it makes superfluous. Keys of drawings are larger.
-    std::size_t least_fitted(std::size_t begin) const
+    std::size_t min_fitted(std::size_t begin) const
     {
         constexpr int ease_cost = 6;
         if (std::is_same_v<Value, Drawing>)
@@ -208,13 +208,13 @@ private:
     {
         for (std::size_t key = begin; key < end; ++key) {
             const Stretch stretch{begin, end, key, ease};
-            if (!is_near(stretch, keys_[key].time, keys_[key + 1].time, most_halvings))
+            if (!is_near(stretch, keys_[key].time, keys_[key + 1].time, max_halvings))
                 return false;
         }
         return true;
     }
 
-    static constexpr int most_halvings = 8;
+    static constexpr int max_halvings = 8;
 
     /// A new way from key `begin` to key `end`, where it takes the place of the one that leaves `key`.
     struct Stretch {
@@ -251,7 +251,7 @@ private:
         const double new_to = new_share(at, to);
         return std::ranges::all_of(edge_.arms, [&](const CornerArm& arm) {
             const auto vector = [&](std::size_t begin, std::size_t end, double first, double last) {
-                const scene::Spot way = arm.directions[end] - arm.directions[begin];
+                const scene::Vec2 way = arm.directions[end] - arm.directions[begin];
                 return TweenedVector{arm.directions[begin] + first * way, (last - first) * way};
             };
             const TweenedVector before = vector(at.key, at.key + 1, old_from, old_to);
@@ -333,7 +333,7 @@ bool NewEases::add(const Ease& ease)
 {
     if (std::ranges::find(list_, ease) != list_.end())
         return true;
-    if (list_.size() == most)
+    if (list_.size() == max)
         return false;
     list_.push_back(ease);
     return true;

@@ -11,11 +11,11 @@ namespace kfast::art {
 /// The eases that simplification brings into a document: few, for the scene has a table of limited length.
 class NewEases {
 public:
-    static constexpr std::size_t most = 64;
-    static constexpr std::size_t most_fits = 20'000; ///< each takes about a tenth of a millisecond
+    static constexpr std::size_t max = 64;
+    static constexpr std::size_t max_fits = 20'000; ///< each takes about a tenth of a millisecond
 
     /// Whether another fit may be tried.
-    bool take_fit() { return fits_ < most_fits && ++fits_ > 0; }
+    bool take_fit() { return fits_ < max_fits && ++fits_ > 0; }
     bool add(const Ease& ease);
 
 private:

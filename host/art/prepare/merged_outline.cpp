@@ -10,7 +10,7 @@ namespace kfast::art {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Of the tolerance, what straight lines instead of curves may take; the rest is for merging.
 constexpr double straight_share = 0.25;
@@ -21,9 +21,9 @@ constexpr int curve_cost = 5;
 /// Beyond that a join is a corner, and stays one.
 constexpr double sharpest_join = 0.5;
 
-double length(Spot way) { return std::sqrt(dot(way, way)); }
+double length(Vec2 way) { return std::sqrt(dot(way, way)); }
 
-CubicPiece straight_piece(Spot from, Spot to)
+CubicPiece straight_piece(Vec2 from, Vec2 to)
 {
     const scene::Curve curve = as_cubic(from, scene::line_to(to));
     return {{from, curve.c1, curve.c2, to}};
@@ -32,7 +32,7 @@ CubicPiece straight_piece(Spot from, Spot to)
 bool is_point(const CubicPiece& piece)
 {
     constexpr double no_length = 1e-9;
-    return std::ranges::all_of(piece.points, [&](Spot point) {
+    return std::ranges::all_of(piece.points, [&](Vec2 point) {
         return std::abs(point.x - piece.points[0].x) <= no_length &&
                std::abs(point.y - piece.points[0].y) <= no_length;
     });
@@ -54,7 +54,7 @@ void MergedOutline::read()
     for (const Outline* outline : outlines_) {
         auto& pieces = pieces_.emplace_back();
         pieces.reserve(count());
-        Spot from = outline->from;
+        Vec2 from = outline->from;
         for (std::size_t i = 0; i < count(); ++i) {
             const scene::Curve curve = as_cubic(from, outline->curves[i]);
             pieces.push_back({{from, curve.c1, curve.c2, curve.to}});
@@ -137,9 +137,9 @@ bool MergedOutline::is_straight(std::size_t segment) const
 }
 
 template <typename Direction>
-std::vector<Spot> MergedOutline::directions(std::size_t segment, const Direction& direction) const
+std::vector<Vec2> MergedOutline::directions(std::size_t segment, const Direction& direction) const
 {
-    std::vector<Spot> result;
+    std::vector<Vec2> result;
     result.reserve(pieces_.size());
     for (const auto& pieces : pieces_)
         result.push_back((pieces[segment].*direction)());
@@ -148,7 +148,7 @@ std::vector<Spot> MergedOutline::directions(std::size_t segment, const Direction
 
 /// Two arms of a corner may turn by that, and each of them once when it gets straight and once when it is
 /// merged: a quarter of the tolerance each.
-bool MergedOutline::turns_little(std::span<const Spot> before, std::span<const Spot> now, double growth) const
+bool MergedOutline::turns_little(std::span<const Vec2> before, std::span<const Vec2> now, double growth) const
 {
     if (!has_edge())
         return true;
@@ -178,12 +178,12 @@ void MergedOutline::find_joins()
 /// half the width divided by the cosine of half the angle.
 bool MergedOutline::can_merge_at(std::size_t segment)
 {
-    constexpr double least_slope = 1e-6;
+    constexpr double min_slope = 1e-6;
     const auto before = directions(segment - 1, &CubicPiece::last_slope);
     const auto behind = directions(segment, &CubicPiece::first_slope);
     for (std::size_t key = 0; key < before.size(); ++key) {
         const double lengths = length(before[key]) * length(behind[key]);
-        if (!(lengths > least_slope) || dot(before[key], behind[key]) < std::cos(sharpest_join) * lengths)
+        if (!(lengths > min_slope) || dot(before[key], behind[key]) < std::cos(sharpest_join) * lengths)
             return false;
     }
     if (!has_edge())
@@ -260,8 +260,8 @@ std::optional<MergedOutline::Run> MergedOutline::line(std::size_t begin, std::si
     Run run{begin, end, true, {}};
     const auto ends = shares(begin, end);
     for (const auto& pieces : pieces_) {
-        const Spot from = pieces[begin].points[0];
-        const Spot to = pieces[end - 1].points[3];
+        const Vec2 from = pieces[begin].points[0];
+        const Vec2 to = pieces[end - 1].points[3];
         for (std::size_t i = begin; i < end; ++i)
             if (!straight_[i] || !(distance(pieces[i].points[3], from + ends[i - begin + 1] * (to - from)) <=
                                    (1 - straight_share) * tolerance_))
@@ -319,8 +319,8 @@ bool MergedOutline::keeps_ends(const Run& run) const
 {
     if (!has_edge())
         return true;
-    std::vector<Spot> first;
-    std::vector<Spot> last;
+    std::vector<Vec2> first;
+    std::vector<Vec2> last;
     for (const CubicPiece& piece : run.pieces) {
         first.push_back(piece.first_slope());
         last.push_back(piece.last_slope());

@@ -63,14 +63,14 @@ private:
     CubicPiece fitted(std::size_t key, std::size_t begin, const std::vector<double>& shares,
                       Handles handles) const;
     bool keeps_ends(const Run& run) const;
-    bool turns_little(std::span<const scene::Spot> before, std::span<const scene::Spot> now,
+    bool turns_little(std::span<const scene::Vec2> before, std::span<const scene::Vec2> now,
                       double growth) const;
     double end_growth(std::size_t segment) const;
     int saved(const Run& run) const;
     bool has_edge() const { return edge_.half_width > 0; }
     std::size_t count() const { return straight_.size(); }
     template <typename Direction>
-    std::vector<scene::Spot> directions(std::size_t segment, const Direction& direction) const;
+    std::vector<scene::Vec2> directions(std::size_t segment, const Direction& direction) const;
 
     std::vector<scene::Outline*> outlines_;
     std::span<const TweenRange> tweens_;

@@ -5,7 +5,7 @@ namespace kfast::art {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Multiplies lengths and places, at any time.
 class Growth {
@@ -13,13 +13,13 @@ public:
     explicit Growth(double factor) : factor_{factor} {}
 
     void operator()(double& length) const { length *= factor_; }
-    void operator()(Spot& spot) const { spot = factor_ * spot; }
+    void operator()(Vec2& spot) const { spot = factor_ * spot; }
 
     void operator()(Outline& outline) const
     {
         (*this)(outline.from);
         for (scene::Curve& curve : outline.curves)
-            for (Spot* spot : {&curve.c1, &curve.c2, &curve.to})
+            for (Vec2* spot : {&curve.c1, &curve.c2, &curve.to})
                 (*this)(*spot);
     }
 

@@ -55,11 +55,11 @@ std::size_t different_eases(Document& document, double grid)
 void share_eases(Document& document, Losses& losses)
 {
     const std::size_t before = different_eases(document, grids.front());
-    if (before <= most_eases)
+    if (before <= max_eases)
         return;
     double grid = 0;
     std::size_t after = before;
-    for (std::size_t i = 1; i < grids.size() && after > most_eases; ++i) {
+    for (std::size_t i = 1; i < grids.size() && after > max_eases; ++i) {
         grid = grids[i];
         after = different_eases(document, grid);
     }

@@ -225,7 +225,7 @@ private:
         if (figure.line)
             simplify(*figure.line, share);
         if (figure.skin && figure.skin->rig < rigs_.size())
-            drawing_share /= stretch_of(rigs_[figure.skin->rig]);
+            drawing_share /= play_range_of(rigs_[figure.skin->rig]);
         simplify_drawing(figure, drawing_share);
     }
 

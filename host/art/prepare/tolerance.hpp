@@ -3,6 +3,6 @@
 namespace kfast::art {
 
 /// How far simplification may move anything that is seen, in canvas pixels.
-inline constexpr double usual_tolerance = 1.0 / 32;
+inline constexpr double default_tolerance = 1.0 / 32;
 
 }

@@ -10,7 +10,7 @@
 namespace kfast::art {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 /// a + b s + c s² between two s.
 struct Parabola {
@@ -28,7 +28,7 @@ struct Parabola {
         if (c != 0 && -b / (2 * c) > low && -b / (2 * c) < high)
             visit(at(-b / (2 * c)));
     }
-    double least(double low, double high) const
+    double min(double low, double high) const
     {
         double result = at(low);
         every_extreme(low, high, [&](double value) { result = std::min(result, value); });
@@ -54,9 +54,9 @@ Parabola cross(const TweenedVector& left, const TweenedVector& right)
             cross(left.way, right.way)};
 }
 
-bool vanishes(Spot vector) { return dot(vector, vector) < 1e-18; }
+bool vanishes(Vec2 vector) { return dot(vector, vector) < 1e-18; }
 
-double angle(Spot left, Spot right) { return std::atan2(std::abs(cross(left, right)), dot(left, right)); }
+double angle(Vec2 left, Vec2 right) { return std::atan2(std::abs(cross(left, right)), dot(left, right)); }
 
 }
 
@@ -69,14 +69,14 @@ double greatest_turn(const TweenedVector& left, const TweenedVector& right, doub
         return angle(left.begin, right.begin);
     const double lengths = shortest(left, low, high) * shortest(right, low, high);
     const double sine = cross(left, right).greatest_amount(low, high);
-    if (!(sine < lengths) || !(dot(left, right).least(low, high) > 0))
+    if (!(sine < lengths) || !(dot(left, right).min(low, high) > 0))
         return std::numbers::pi;
     return std::asin(sine / lengths);
 }
 
 double shortest(const TweenedVector& vector, double low, double high)
 {
-    return std::sqrt(std::max(0.0, dot(vector, vector).least(low, high)));
+    return std::sqrt(std::max(0.0, dot(vector, vector).min(low, high)));
 }
 
 std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing)
@@ -93,32 +93,32 @@ std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing)
 
 double tween_growth(std::span<const TweenRange> tweens)
 {
-    double most = 1;
+    double max = 1;
     for (const TweenRange& tween : tweens)
-        most = std::max({most, 1 - 2 * tween.low, 2 * tween.high - 1});
-    return most;
+        max = std::max({max, 1 - 2 * tween.low, 2 * tween.high - 1});
+    return max;
 }
 
-double greatest_turn(std::span<const Spot> left, std::span<const Spot> right,
+double greatest_turn(std::span<const Vec2> left, std::span<const Vec2> right,
                      std::span<const TweenRange> tweens)
 {
-    double most = 0;
+    double max = 0;
     for (const TweenRange& tween : tweens)
-        most = std::max(most,
-                        greatest_turn(TweenedVector{left[tween.from], left[tween.to] - left[tween.from]},
-                                      TweenedVector{right[tween.from], right[tween.to] - right[tween.from]},
-                                      tween.low, tween.high));
-    return most;
+        max =
+            std::max(max, greatest_turn(TweenedVector{left[tween.from], left[tween.to] - left[tween.from]},
+                                        TweenedVector{right[tween.from], right[tween.to] - right[tween.from]},
+                                        tween.low, tween.high));
+    return max;
 }
 
-double shortest(std::span<const Spot> vectors, std::span<const TweenRange> tweens)
+double shortest(std::span<const Vec2> vectors, std::span<const TweenRange> tweens)
 {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const TweenRange& tween : tweens)
-        least = std::min(least,
-                         shortest(TweenedVector{vectors[tween.from], vectors[tween.to] - vectors[tween.from]},
-                                  tween.low, tween.high));
-    return least;
+        min = std::min(min,
+                       shortest(TweenedVector{vectors[tween.from], vectors[tween.to] - vectors[tween.from]},
+                                tween.low, tween.high));
+    return min;
 }
 
 }

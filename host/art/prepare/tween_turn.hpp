@@ -26,9 +26,9 @@ double tween_growth(std::span<const TweenRange> tweens);
 
 /// A vector on a straight way.
 struct TweenedVector {
-    scene::Spot begin;
-    scene::Spot way;
-    scene::Spot end() const { return begin + way; }
+    scene::Vec2 begin;
+    scene::Vec2 way;
+    scene::Vec2 end() const { return begin + way; }
 };
 
 /// The greatest angle in radians, never too small, between two vectors on the stretch from `low` to `high` of
@@ -40,10 +40,10 @@ double shortest(const TweenedVector& vector, double low, double high);
 
 /// The greatest angle in radians, never too small, between two vectors that are tweened: `left` and `right`
 /// have one of each for every key. A half turn where one of them may vanish or they may be opposed.
-double greatest_turn(std::span<const scene::Spot> left, std::span<const scene::Spot> right,
+double greatest_turn(std::span<const scene::Vec2> left, std::span<const scene::Vec2> right,
                      std::span<const TweenRange> tweens);
 
 /// The least length, never too great, of a vector that is tweened.
-double shortest(std::span<const scene::Spot> vectors, std::span<const TweenRange> tweens);
+double shortest(std::span<const scene::Vec2> vectors, std::span<const TweenRange> tweens);
 
 }

@@ -12,7 +12,7 @@ bool is_zero(const Channel& channel) { return greatest(channel) == 0; }
 
 bool is_point(const scene::Outline& outline)
 {
-    const auto is_there = [&](scene::Spot spot) { return distance(spot, outline.from) < 1e-9; };
+    const auto is_there = [&](scene::Vec2 spot) { return distance(spot, outline.from) < 1e-9; };
     return std::ranges::all_of(outline.curves, [&](const scene::Curve& curve) {
         return is_there(curve.to) && (!curve.cubic || (is_there(curve.c1) && is_there(curve.c2)));
     });

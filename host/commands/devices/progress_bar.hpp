@@ -24,10 +24,10 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     /// For what goes to one of the devices; may be told from any thread.
-    TellProgress of_device(std::size_t index);
+    ByteProgressCallback of_device(std::size_t index);
 
 private:
-    using Clock = std::chrono::steady_clock;
+    using Driver = std::chrono::steady_clock;
 
     void tell(std::size_t index, std::size_t bytes);
     void draw(std::size_t done);
@@ -37,8 +37,8 @@ private:
     std::size_t total_;
     StatusLine line_;
     bool is_shown_;
-    Clock::time_point begin_;
-    Clock::time_point drawn_;
+    Driver::time_point begin_;
+    Driver::time_point drawn_;
     std::string what_; ///< stands in front
 };
 

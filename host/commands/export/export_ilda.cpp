@@ -18,29 +18,29 @@ namespace {
 std::vector<FilmMoment> played_moments(const Timeline& timeline)
 {
     std::vector<FilmMoment> moments = film_moments(timeline);
-    if (moments.size() > most_ilda_records)
+    if (moments.size() > max_ilda_records)
         throw Failure("one play has " + counted(moments.size(), "frame") + ", more than the " +
-                      std::to_string(most_ilda_records) + " of an ILDA file: play less with --clip");
+                      std::to_string(max_ilda_records) + " of an ILDA file: play less with --clip");
     return moments;
 }
 
 struct Drawn {
     std::vector<BeamPoints> frames;
     std::size_t points = 0;
-    std::size_t most_points = 0;
+    std::size_t max_points = 0;
     std::size_t hasty = 0;
     std::size_t incomplete = 0;
 };
 
 void add_frame(Drawn& drawn, std::span<const BeamPoint> points, const BeamReport& report)
 {
-    if (points.size() > most_ilda_records)
+    if (points.size() > max_ilda_records)
         throw Failure("frame " + std::to_string(drawn.frames.size()) + " has " +
                       std::to_string(points.size()) + " points, and an ILDA file no more than " +
-                      std::to_string(most_ilda_records) + " in a frame: draw it coarser with another --beam");
+                      std::to_string(max_ilda_records) + " in a frame: draw it coarser with another --beam");
     drawn.frames.emplace_back(points.begin(), points.end());
     drawn.points += points.size();
-    drawn.most_points = std::max(drawn.most_points, points.size());
+    drawn.max_points = std::max(drawn.max_points, points.size());
     drawn.hasty += report.haste > 0;
     drawn.incomplete += !report.is_complete;
 }
@@ -60,8 +60,8 @@ Drawn drawn_frames(BeamSource& source, const Timeline& timeline)
 void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate, std::ostream& out)
 {
     out << output.string() << ": " << counted(drawn.frames.size(), "frame") << ", "
-        << counted(drawn.points, "point") << ", at most " << drawn.most_points << " in a frame ("
-        << rate / std::max<std::size_t>(drawn.most_points, 1) << " times a second at " << rate
+        << counted(drawn.points, "point") << ", at most " << drawn.max_points << " in a frame ("
+        << rate / std::max<std::size_t>(drawn.max_points, 1) << " times a second at " << rate
         << " points a second)\n";
     if (drawn.hasty > 0)
         std::cerr
@@ -88,7 +88,7 @@ void export_ilda(const ExportOptions& options)
     const Timeline timeline = chosen_timeline(options.play, scene.view);
     const std::filesystem::path output = export_path(options, ".ild");
     BeamSource source =
-        open_beam(options.beam.value_or(galvo_profile), most_ilda_records, options.picture, scene);
+        open_beam(options.beam.value_or(galvo_profile), max_ilda_records, options.picture, scene);
     const Drawn drawn = drawn_frames(source, timeline);
     const std::string name = std::filesystem::path{options.scene}.stem().string();
     const auto format = static_cast<IldaFormat>(options.ilda_format);

@@ -17,8 +17,8 @@ namespace kfast {
 namespace {
 
 /// 21 minutes at 48 kHz: much less than a WAV can hold, but it takes memory.
-constexpr std::uint64_t most_samples = 60'000'000;
-constexpr std::uint64_t least_samples = 16; ///< BeamPlayer needs room for so many points
+constexpr std::uint64_t max_samples = 60'000'000;
+constexpr std::uint64_t min_samples = 16; ///< BeamPlayer needs room for so many points
 
 std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeline)
 {
@@ -26,11 +26,11 @@ std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeli
     const std::uint64_t length = options.seconds
                                      ? static_cast<std::uint64_t>(std::llround(*options.seconds * rate))
                                      : sound_length(timeline, rate);
-    if (length > most_samples)
+    if (length > max_samples)
         throw Failure("this takes " + std::to_string(length) + " samples, more than the " +
-                      std::to_string(most_samples) +
+                      std::to_string(max_samples) +
                       " that kfast writes: choose a lower --sample-rate, less --seconds or a --clip");
-    if (length < least_samples)
+    if (length < min_samples)
         throw Failure("one play is too short for a sound: make it longer with --seconds");
     return length;
 }

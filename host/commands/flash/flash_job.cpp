@@ -72,7 +72,8 @@ std::size_t written_sectors(const std::vector<std::size_t>& differing)
 
 }
 
-FlashJob::FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order, const TellFlashing& tell)
+FlashJob::FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order,
+                   const FlashProgressCallback& tell)
     : bench_{bench}, plan_{plan}, order_{order}, tell_{tell}
 {
 }

@@ -48,7 +48,8 @@ struct PlayerOutcome {
 class FlashJob {
 public:
     /// All must outlive it.
-    FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order, const TellFlashing& tell);
+    FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order,
+             const FlashProgressCallback& tell);
 
     /// Finds the board and does with its flash what the order says; a board that was written to restarts. Of
     /// a dry run no board takes notice but one that is in its boot loader, whose flash is read.
@@ -88,7 +89,7 @@ private:
     Workbench& bench_;
     const FlashPlan& plan_;
     const FlashOrder& order_;
-    const TellFlashing& tell_;
+    const FlashProgressCallback& tell_;
     std::string port_;              ///< of the boot loader
     std::string asked_;             ///< the serial number of the device that has left its player for this
     bool has_just_come_ = false;    ///< the boot loader, for which udev may still have to do something

@@ -22,7 +22,7 @@ namespace {
 /// In the order of BusKind.
 constexpr std::array buses{BusKind::spi, BusKind::i2c, BusKind::parallel_8, BusKind::dac};
 
-NamedSettings usual_settings(BusKind bus)
+NamedSettings default_settings(BusKind bus)
 {
     const std::string name = config::default_configuration(bus);
     return {config::chosen_settings(name), name};
@@ -134,7 +134,7 @@ NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
     if (found && found->settings)
         return {*found->settings, "the board"};
     const auto bus = firmwares_.size() == 1 ? config::marked_bus(firmwares_.front().image) : std::nullopt;
-    return usual_settings(bus.value_or(BusKind::spi));
+    return default_settings(bus.value_or(BusKind::spi));
 }
 
 void FlashPlan::check_fit(const BoardSettings& settings) const
@@ -180,8 +180,8 @@ void FlashPlan::require_room_with(std::string_view panel, Size size) const
     const auto controller = std::ranges::find(controller_names, panel);
     if (told_ || !scene_ || controller == controller_names.end() || size.width <= 0 || size.height <= 0)
         return;
-    BoardSettings settings = usual_settings(BusKind::spi).settings;
-    settings.panel = facts_of(static_cast<Controller>(controller - controller_names.begin())).usual;
+    BoardSettings settings = default_settings(BusKind::spi).settings;
+    settings.panel = facts_of(static_cast<Controller>(controller - controller_names.begin())).default_value;
     settings.panel.glass = size;
     const fit::Target target = fit::pico_target(settings);
     require_room(scene_name_, target, report_on(*scene_, target).shortages);

@@ -33,7 +33,7 @@ Names named_clips(const BoardSettings& settings)
 }
 
 /// `known` are those of the scene.
-std::string remedy(std::string_view name, std::string_view what, const std::vector<std::string_view>& known)
+std::string hint(std::string_view name, std::string_view what, const std::vector<std::string_view>& known)
 {
     return known.empty() ? "the scene has no " + std::string{what} + 's' : visible(suggestion(name, known));
 }
@@ -41,7 +41,7 @@ std::string remedy(std::string_view name, std::string_view what, const std::vect
 std::string missing_clip(std::string_view name, const SceneView& scene)
 {
     return "there is no clip " + in_quotes(name) +
-           ", the whole scene will play in its place: " + remedy(name, "clip", clip_names(scene));
+           ", the whole scene will play in its place: " + hint(name, "clip", clip_names(scene));
 }
 
 bool has_number(const SceneView& scene, std::string_view input)
@@ -54,7 +54,7 @@ std::string missing_input(std::string_view name, const SceneView& scene)
 {
     return "there is no " + std::string{scene.input(name) ? "number among the inputs called " : "input "} +
            in_quotes(name) + ", its button or knob will do nothing: " +
-           remedy(name, "input", input_names(scene, InputType::number));
+           hint(name, "input", input_names(scene, InputType::number));
 }
 
 }

@@ -36,8 +36,8 @@ std::string configuration_of(const std::string& panel)
     const std::vector<std::string_view> known = ready_panels();
     if (std::ranges::find(known, panel) != known.end())
         return std::string{prefix} + panel;
-    if (const auto remedy = fit::undriven_panel_text(panel))
-        throw CLI::ValidationError("--panel", "'" + visible(panel) + "' is unknown: " + *remedy);
+    if (const auto hint = fit::undriven_panel_text(panel))
+        throw CLI::ValidationError("--panel", "'" + visible(panel) + "' is unknown: " + *hint);
     if (const fit::Display* display = fit::display_named(panel); display != nullptr && display->is_driven)
         throw CLI::ValidationError(
             "--panel", "'" + panel + "' has no ready configuration: make one for --config of another one, " +
@@ -111,7 +111,7 @@ void require_rules(const NamedSettings& settings, std::span<const PinChange> cha
         const config::Finding finding = config::text_of(mistake, settings.settings);
         text += (text.empty() ? "" : "\nkfast: ") +
                 (change == nullptr ? settings.name : "--pin " + text_of(*change)) + ": " + finding.message +
-                ": " + finding.remedy;
+                ": " + finding.hint;
     }
     if (!text.empty())
         throw Failure{text, ExitStatus::wrong_usage};

@@ -24,7 +24,8 @@ public:
 
     std::vector<Uf2Drive> uf2_drives() override { return kfast::uf2_drives(); }
     Uf2Drive uf2_drive_at(const std::string& folder) override { return kfast::uf2_drive_at(folder); }
-    void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const TellFlashing& tell) override
+    void copy_to_drive(const Uf2Drive& drive, const FlashImage& image,
+                       const FlashProgressCallback& tell) override
     {
         kfast::copy_to_drive(drive, image, tell);
     }

@@ -32,7 +32,8 @@ public:
 
     virtual std::vector<Uf2Drive> uf2_drives() = 0;
     virtual Uf2Drive uf2_drive_at(const std::string& folder) = 0;
-    virtual void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const TellFlashing& tell) = 0;
+    virtual void copy_to_drive(const Uf2Drive& drive, const FlashImage& image,
+                               const FlashProgressCallback& tell) = 0;
 
     virtual void enter_boot_loader(const BootLines& lines) = 0;
 

@@ -1,7 +1,7 @@
 #include "host/commands/help/man_page.hpp"
 
 #include "firmware/version.hpp"
-#include "host/commands/help/vocabulary_json.hpp"
+#include "host/commands/help/schema_json.hpp"
 #include "host/program/exit_status.hpp"
 #include "host/scene/values/value_reader.hpp"
 
@@ -188,7 +188,7 @@ std::string range_text(const schema::ValueKind& kind)
     return kind.unit.empty() ? text : text + ' ' + std::string{kind.unit};
 }
 
-std::string text_of(const schema::NodeWords& node, const scene::Vocabulary& words)
+std::string text_of(const schema::NodeSchema& node, const scene::LanguageSchema& words)
 {
     std::string text = "Stands in";
     for (const std::string_view id : holders(words, node.id))
@@ -198,20 +198,20 @@ std::string text_of(const schema::NodeWords& node, const scene::Vocabulary& word
     if (node.properties.empty())
         return text;
     text += ".RS\n";
-    for (const schema::PropertyWords& property : node.properties)
+    for (const schema::PropertySchema& property : node.properties)
         text += ".PP\n" + bold(property.name) + ": " + plain(range_text(property.kind)) +
                 (property.required ? " (needed)" : "") + '\n';
     return text + ".RE\n";
 }
 
-ManPage scene_page(const scene::Vocabulary& words)
+ManPage scene_page(const scene::LanguageSchema& words)
 {
     std::string text = head("kfast-scene", "5", "what a scene of kfast may be written with");
     text +=
         ".SH DESCRIPTION\nA scene is a KDL 2.0 document, a file that ends with " + bold(".kfast") +
         ". These are its nodes and their properties. What they mean is told in docs/scene\\-language.md.\n"
         ".SH NODES\n";
-    for (const schema::NodeWords& node : words.nodes)
+    for (const schema::NodeSchema& node : words.nodes)
         text += term(bold(node.form.usage), text_of(node, words));
     const auto list = [&text](const char* title, const std::vector<std::string_view>& entries) {
         text += std::string{".SH "} + title + '\n';
@@ -225,7 +225,7 @@ ManPage scene_page(const scene::Vocabulary& words)
 
 }
 
-std::vector<ManPage> man_pages(const CommandWords& kfast, const scene::Vocabulary& words)
+std::vector<ManPage> man_pages(const CommandWords& kfast, const scene::LanguageSchema& words)
 {
     std::vector<ManPage> pages;
     add_pages(kfast, pages);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/commands/help/command_words.hpp"
-#include "host/scene/vocabulary.hpp"
+#include "host/scene/language_schema.hpp"
 
 #include <string>
 #include <vector>
@@ -14,6 +14,6 @@ struct ManPage {
 };
 
 /// kfast(1), a page for each command, and kfast-scene(5).
-std::vector<ManPage> man_pages(const CommandWords& kfast, const scene::Vocabulary& words);
+std::vector<ManPage> man_pages(const CommandWords& kfast, const scene::LanguageSchema& words);
 
 }

@@ -47,7 +47,7 @@ std::string_view unknown_option(const std::vector<std::string>& known, std::span
 }
 
 /// One that may be meant, or else those of the same kind, long or short.
-std::string remedy_of(std::string_view unknown, const std::vector<std::string>& known)
+std::string hint_of(std::string_view unknown, const std::vector<std::string>& known)
 {
     std::vector<std::string_view> alike;
     std::ranges::copy_if(known, std::back_inserter(alike), [unknown](std::string_view name) {
@@ -127,7 +127,7 @@ std::string usage_mistake(const CLI::App& command, const CLI::Error& error,
 {
     const std::vector<std::string> known = option_names(command);
     if (const std::string_view unknown = unknown_option(known, arguments); !unknown.empty())
-        return "there is no option " + std::string{unknown} + ": " + remedy_of(unknown, known);
+        return "there is no option " + std::string{unknown} + ": " + hint_of(unknown, known);
     if (error.get_name() == "RequiredError")
         return choice_mistake(error.what());
     return error.get_name() == "ConversionError" ? conversion_mistake(error.what()) : error.what();

@@ -17,7 +17,7 @@ VelocityLaw read_law(const std::string& option, const std::string& text)
     if (const auto law = scene::read_law(value, report))
         return *law;
     const Diagnostic first = diagnostics.sorted().front();
-    throw CLI::ValidationError(option, first.message + (first.remedy.empty() ? "" : ": " + first.remedy));
+    throw CLI::ValidationError(option, first.message + (first.hint.empty() ? "" : ": " + first.hint));
 }
 
 double control(std::int16_t number) { return static_cast<double>(number) / VelocityLaw::control_one; }

@@ -42,7 +42,7 @@ Json facts_of(const BeamFitFacts& facts)
             {"processor", target.processor_name},
             {"beam",
              {{"rate", target.beam->rate},
-              {"least_refresh", target.beam->least_refresh},
+              {"least_refresh", target.beam->min_refresh},
               {"resolution", target.beam->resolution},
               {"laser", target.beam->is_laser}}},
             {"fits", report.fits()},

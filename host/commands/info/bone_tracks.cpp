@@ -35,13 +35,13 @@ public:
         Json facts = Json::array();
         while (!cursor.at_end()) {
             const TrackKey key = cursor.next();
-            facts.push_back(fact(cursor.beats().clock(), key, cursor.at_end()));
+            facts.push_back(fact(cursor.key_times().driver(), key, cursor.at_end()));
         }
         return facts;
     }
 
 private:
-    Json fact(Clock clock, const TrackKey& at, bool is_last) const
+    Json fact(Driver clock, const TrackKey& at, bool is_last) const
     {
         constexpr std::int32_t turn = 65536;
         Json key{{"at", written_moment(scene_, clock, at.time)},
@@ -67,12 +67,12 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
         return facts;
     }
     facts["smooth"] = false;
-    add_input(scene, keys.keys().beats().clock(), facts);
+    add_input(scene, keys.keys().key_times().driver(), facts);
     facts["keys"] = QuantityFacts{scene, bone, quantity}.of(keys.keys());
     return facts;
 }
 
-Json bones_of(const SceneView& scene, const BonesView& skeleton, const SkeletonNames& names)
+Json bones_of(const SceneView& scene, const SkeletonView& skeleton, const SkeletonNames& names)
 {
     Json bones = Json::array();
     for (BoneCursor cursor = skeleton.bones(); !cursor.at_end();) {
@@ -107,7 +107,7 @@ Json bone_tracks(const SceneFile& scene)
 {
     const std::vector<SkeletonNames>& names = scene.other_names.skeletons;
     Json skeletons = Json::array();
-    for (BonesCursor cursor = scene.view.skeletons(); !cursor.at_end();) {
+    for (SkeletonCursor cursor = scene.view.skeletons(); !cursor.at_end();) {
         const std::size_t place = skeletons.size();
         const SkeletonNames own = place < names.size() ? names[place] : SkeletonNames{};
         Json facts{{"skeleton", place + 1}};

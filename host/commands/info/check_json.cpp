@@ -40,7 +40,7 @@ Json json_of(const Diagnostic& diagnostic, std::string_view text)
     const std::size_t end = std::min(begin + diagnostic.place.length, text.size());
     return {{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
             {"message", diagnostic.message},
-            {"remedy", diagnostic.remedy},
+            {"remedy", diagnostic.hint},
             {"begin", place_of(text, begin)},
             {"end", place_of(text, end)},
             {"range", {{"start", position_of(text, begin)}, {"end", position_of(text, end)}}},
@@ -64,7 +64,7 @@ Json json_of(const CheckedFile& file)
     for (const art::Loss& loss : file.losses.list())
         losses.push_back(json_of(loss));
     return {{"file", file.name},
-            {"good", file.is_good()},
+            {"good", file.is_valid()},
             {"summary", file.summary},
             {"failure", file.failure},
             {"diagnostics", std::move(diagnostics)},

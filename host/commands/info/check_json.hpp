@@ -17,7 +17,7 @@ struct CheckedFile {
     std::string failure = {}; ///< why it could not be read at all
     std::string summary = {}; ///< of a good one: "2 objects, …"
 
-    bool is_good() const { return failure.empty() && !diagnostics.has_errors(); }
+    bool is_valid() const { return failure.empty() && !diagnostics.has_errors(); }
 };
 
 /// For editors: an object whose form docs/editors.md describes.

@@ -64,7 +64,7 @@ Json link_facts(const std::vector<LinkUpdate>& updates)
     Json facts = Json::array();
     for (const LinkUpdate& update : updates)
         facts.push_back(
-            {{"what", update.what}, {"reports", update.reports}, {"per_second", update.most_per_second()}});
+            {{"what", update.what}, {"reports", update.reports}, {"per_second", update.max_per_second()}});
     return facts;
 }
 
@@ -121,7 +121,7 @@ std::string limits_text(const Limits& limits)
 std::string link_text(const LinkUpdate& update)
 {
     return visible(update.what) + ": " + counted(update.reports, "report") + ", up to " +
-           std::to_string(static_cast<int>(update.most_per_second())) + " times a second";
+           std::to_string(static_cast<int>(update.max_per_second())) + " times a second";
 }
 
 std::string verdict_text(const FitReport& report)

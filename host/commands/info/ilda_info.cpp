@@ -44,11 +44,11 @@ Json facts_of(const std::string& path, const IldaContents& contents, std::uint32
             {"frames", contents.frames.size()},
             {"points", facts.points},
             {"lit_points", facts.lit_points},
-            {"most_points", facts.most_points},
+            {"most_points", facts.max_points},
             {"rate", rate},
             {"seconds", static_cast<double>(facts.points) / rate},
-            {"least", point_facts(facts.least)},
-            {"most", point_facts(facts.most)},
+            {"least", point_facts(facts.min)},
+            {"most", point_facts(facts.max)},
             {"longest_lit_step", std::round(facts.longest_lit_step)},
             {"longest_blanked_step", std::round(facts.longest_blanked_step)}};
 }
@@ -72,7 +72,7 @@ std::string percent_text(const Json& length) { return rounded_text(percent(lengt
 void print_ilda_facts(const Json& facts)
 {
     const auto rate = facts["rate"].get<std::uint32_t>();
-    const auto most = facts["most_points"].get<std::size_t>();
+    const auto max = facts["most_points"].get<std::size_t>();
     std::cout << facts["file"].get<std::string>() << '\n'
               << "  name        " << visible(facts["name"].get<std::string>()) << ", by "
               << visible(facts["company"].get<std::string>()) << '\n'
@@ -80,11 +80,10 @@ void print_ilda_facts(const Json& facts)
               << '\n'
               << "  frames      " << facts["frames"] << '\n'
               << "  points      " << facts["points"] << ", " << facts["lit_points"]
-              << " of them lit, at most " << most << " in a frame\n"
+              << " of them lit, at most " << max << " in a frame\n"
               << "  length      " << rounded_text(facts["seconds"].get<double>()) << " s at " << rate
               << " points a second, each frame once, at least "
-              << rounded_text(std::floor(rate * 10.0 / static_cast<double>(most)) / 10)
-              << " frames a second\n"
+              << rounded_text(std::floor(rate * 10.0 / static_cast<double>(max)) / 10) << " frames a second\n"
               << "  reach       x " << range_text(facts, "x") << ", y " << range_text(facts, "y") << '\n'
               << "  steps       lit up to " << percent_text(facts["longest_lit_step"])
               << " of the field, blanked up to " << percent_text(facts["longest_blanked_step"]) << '\n';

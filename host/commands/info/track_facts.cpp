@@ -39,7 +39,7 @@ Json keys_of(const SceneView& scene, const TrackView& track)
     Json keys = Json::array();
     for (TrackKeyCursor cursor = track.keys; !cursor.at_end();) {
         const TrackKey key = cursor.next();
-        Json entry{{"at", written_moment(scene, cursor.beats().clock(), key.time)},
+        Json entry{{"at", written_moment(scene, cursor.key_times().driver(), key.time)},
                    {"value", value_of(scene, track.property, key.value)}};
         if (goes_by_laws(track) && !cursor.at_end()) {
             const LawPair laws = scene.laws(key.laws);
@@ -75,7 +75,7 @@ Json track_facts(const SceneView& scene, const TrackView& track)
         facts["value"] = value_of(scene, track.property, track.value);
     } else {
         facts["smooth"] = track.is_smooth;
-        add_input(scene, track.keys.beats().clock(), facts);
+        add_input(scene, track.keys.key_times().driver(), facts);
         facts["keys"] = keys_of(scene, track);
     }
     return facts;
@@ -99,7 +99,7 @@ std::string track_text(const Json& facts)
     return text;
 }
 
-void add_input(const SceneView& scene, Clock clock, Json& facts)
+void add_input(const SceneView& scene, Driver clock, Json& facts)
 {
     if (!clock.is_time())
         facts["input"] = input_of(scene, clock).name;

@@ -42,12 +42,12 @@ std::uint32_t drawing_input(std::string_view name, const SceneView& scene)
                    (known.empty() ? "the scene has none: leave out --drawing" : suggestion(name, known)));
 }
 
-ToldDrawing drawing_in(const std::string& file)
+ReceivedDrawing drawing_in(const std::string& file)
 {
     auto read = read_drawing(read_input(file, drawing_text_file));
     if (const auto* const mistake = std::get_if<std::string>(&read))
         refuse_drawing(file + ": " + *mistake);
-    return std::get<ToldDrawing>(std::move(read));
+    return std::get<ReceivedDrawing>(std::move(read));
 }
 
 [[noreturn]] void refuse_size(const std::string& file, const InputView& input)

@@ -2,7 +2,7 @@
 
 #include "core/scene/scene_view.hpp"
 #include "host/picture/told_inputs.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -20,7 +20,7 @@ struct DrawingOptions {
 /// What one of them is.
 struct DrawingValue {
     std::uint32_t number = 0; ///< of the input
-    ToldDrawing drawing;
+    ReceivedDrawing drawing;
     std::string file; ///< where it stood
 };
 

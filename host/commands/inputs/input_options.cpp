@@ -60,7 +60,7 @@ std::int32_t read_number(std::string_view text, const InputView& input)
 
 std::string read_text(std::string_view text, const InputView& input)
 {
-    if (const auto mistake = input_text_mistake(text, input.name, input.text.most, input.text.glyphs))
+    if (const auto mistake = input_text_mistake(text, input.name, input.text.max, input.text.glyphs))
         refuse_input(*mistake);
     return std::string{text};
 }
@@ -79,11 +79,11 @@ InputValue read_value(std::string_view text, const InputView& input)
                  std::string{input.name} + "=FILE");
 }
 
-InputValue usual_value(const InputView& input)
+InputValue default_value(const InputView& input)
 {
     if (input.type == InputType::text)
-        return {.text = usual_text(input.text)};
-    return {.number = input.usual};
+        return {.text = default_text(input.text)};
+    return {.number = input.default_value};
 }
 
 }
@@ -105,7 +105,7 @@ std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneVi
 {
     const std::vector<InputView> inputs = inputs_of(scene);
     std::vector<InputValue> values;
-    std::ranges::transform(inputs, std::back_inserter(values), usual_value);
+    std::ranges::transform(inputs, std::back_inserter(values), default_value);
     for (const std::string_view text : options.texts) {
         const std::size_t sign = sign_in(text, scene);
         const std::size_t input = input_in(text, sign, inputs);

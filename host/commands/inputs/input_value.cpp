@@ -14,7 +14,7 @@ std::optional<std::int32_t> read_input_value(std::string_view text, const InputV
     double value = 0;
     const auto [rest, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     const bool is_whole = error == std::errc{} && rest == number.data() + number.size();
-    if (!is_whole || !(value >= input.least / 1000.0 && value <= input.most / 1000.0))
+    if (!is_whole || !(value >= input.min / 1000.0 && value <= input.max / 1000.0))
         return std::nullopt;
     return scene::thousandths(value);
 }
@@ -22,10 +22,10 @@ std::optional<std::int32_t> read_input_value(std::string_view text, const InputV
 std::string input_value_mistake(std::string_view text, const InputView& input)
 {
     return "'" + visible(text) + "' is no value of " + visible(input.name) + ": it goes from " +
-           scene::text_of(input.least / 1000.0) + " to " + scene::text_of(input.most / 1000.0);
+           scene::text_of(input.min / 1000.0) + " to " + scene::text_of(input.max / 1000.0);
 }
 
-std::optional<std::string> input_text_mistake(std::string_view text, std::string_view name, std::size_t most,
+std::optional<std::string> input_text_mistake(std::string_view text, std::string_view name, std::size_t max,
                                               const std::optional<GlyphSet>& glyphs)
 {
     std::size_t count = 0;
@@ -38,10 +38,10 @@ std::optional<std::string> input_text_mistake(std::string_view text, std::string
                    ": its characters are " + in_quotes(glyph_text(*glyphs)) + " and the space";
         at += point.length;
     }
-    if (count <= most)
+    if (count <= max)
         return std::nullopt;
     return "'" + visible(text) + "' has " + std::to_string(count) + " characters: " + visible(name) +
-           " has " + std::to_string(most) + " at most";
+           " has " + std::to_string(max) + " at most";
 }
 
 }

@@ -19,7 +19,7 @@ std::string input_value_mistake(std::string_view text, const InputView& input);
 
 /// What is wrong with a text for the input `name` of at most so many characters, which are `glyphs` if it is
 /// known what they are. Nothing if it is right.
-std::optional<std::string> input_text_mistake(std::string_view text, std::string_view name, std::size_t most,
+std::optional<std::string> input_text_mistake(std::string_view text, std::string_view name, std::size_t max,
                                               const std::optional<GlyphSet>& glyphs);
 
 }

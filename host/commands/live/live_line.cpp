@@ -107,7 +107,7 @@ private:
         auto read = read_drawing(words_.rest());
         if (const auto* const mistake = std::get_if<std::string>(&read))
             refuse(number_, *mistake);
-        return {.drawings = {{static_cast<std::uint8_t>(index), std::get<ToldDrawing>(std::move(read))}}};
+        return {.drawings = {{static_cast<std::uint8_t>(index), std::get<ReceivedDrawing>(std::move(read))}}};
     }
 
     void read_value(std::size_t index)
@@ -134,12 +134,12 @@ private:
 
     std::string text(const std::string& value, const LiveInput& input) const
     {
-        const auto most = static_cast<std::size_t>(input.most);
-        if (const auto mistake = input_text_mistake(value, input.name, most, input.glyphs))
+        const auto max = static_cast<std::size_t>(input.max);
+        if (const auto mistake = input_text_mistake(value, input.name, max, input.glyphs))
             refuse(number_, *mistake);
-        if (value.size() > link::Text::most)
+        if (value.size() > link::Text::max)
             refuse(number_, "'" + visible(value) + "' is too long: a device is told at most " +
-                                std::to_string(link::Text::most) + " bytes");
+                                std::to_string(link::Text::max) + " bytes");
         return value;
     }
 

@@ -14,15 +14,15 @@
 namespace kfast {
 namespace {
 
-constexpr double most_fps = 1000;
+constexpr double max_fps = 1000;
 
 fit::Display panel_named(const std::string& name)
 {
     if (const fit::Display* const display = fit::display_named(name))
         return *display;
-    const std::string remedy = fit::other_panel_text(name).value_or(fit::display_suggestion(name) +
-                                                                    "; others are described with the board");
-    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + remedy);
+    const std::string hint = fit::other_panel_text(name).value_or(fit::display_suggestion(name) +
+                                                                  "; others are described with the board");
+    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + hint);
 }
 
 }
@@ -45,7 +45,7 @@ CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options)
     app.add_option("--fps", options.frames_per_second,
                    "Frames per second to be reached (default: the scene's)")
         ->type_name("NUMBER")
-        ->check(number_within(1, most_fps))
+        ->check(number_within(1, max_fps))
         ->needs(board);
     return board;
 }

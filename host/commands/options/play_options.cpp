@@ -14,17 +14,16 @@ namespace {
 [[noreturn]] void refuse_clip(const std::string& name, const SceneView& scene)
 {
     const std::vector<std::string_view> names = clip_names(scene);
-    const std::string remedy =
-        names.empty() ? "the scene has none: leave out --clip" : suggestion(name, names);
-    throw CLI::ValidationError("--clip", "there is no clip '" + name + "': " + remedy);
+    const std::string hint = names.empty() ? "the scene has none: leave out --clip" : suggestion(name, names);
+    throw CLI::ValidationError("--clip", "there is no clip '" + name + "': " + hint);
 }
 
-Stretch chosen_stretch(const std::optional<std::string>& name, const SceneView& scene)
+PlayRange chosen_stretch(const std::optional<std::string>& name, const SceneView& scene)
 {
     if (!name)
-        return stretch_of(scene);
+        return play_range_of(scene);
     require_clip(*name, scene);
-    return stretch_of(*scene.clip(*name));
+    return play_range_of(*scene.clip(*name));
 }
 
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int smallest_side = 16; ///< of a picture in which anything is to be seen
 
-std::vector<Time> played_keys(const SceneView& scene, const Stretch& stretch)
+std::vector<Time> played_keys(const SceneView& scene, const PlayRange& stretch)
 {
     std::vector<Time> times;
     for (const Time time : key_times(scene))
@@ -60,12 +60,12 @@ ContactPlan contact_plan(const std::vector<ContactMoment>& moments, Size picture
     }
     throw Failure("a contact sheet has no room for " + std::to_string(moments.size()) +
                   " keys, however small their pictures: sides of " + std::to_string(longest_picture_side) +
-                  " pixels and " + std::to_string(most_picture_pixels) +
+                  " pixels and " + std::to_string(max_picture_pixels) +
                   " pixels in all are possible; play less with --clip, or choose a smaller --scale");
 }
 
 std::vector<ContactPrint> contact_prints(const std::vector<ContactMoment>& moments, FrameSource& source,
-                                         const TellWork& tell)
+                                         const ProgressCallback& tell)
 {
     std::vector<ContactPrint> prints;
     for (const auto& [time, text] : moments) {

@@ -4,7 +4,7 @@
 #include "host/picture/contact_sheet.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <string>
 #include <vector>
@@ -34,6 +34,6 @@ ContactPlan contact_plan(const std::vector<ContactMoment>& moments, Size picture
 
 /// `source` draws pictures as large as planned.
 std::vector<ContactPrint> contact_prints(const std::vector<ContactMoment>& moments, FrameSource& source,
-                                         const TellWork& tell);
+                                         const ProgressCallback& tell);
 
 }

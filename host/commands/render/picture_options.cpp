@@ -63,8 +63,8 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel)
     CLI::Option* const option =
         add(app, "--panel", "NAME", "A known panel: " + names_of(panel_choices()),
             [&panel](const std::string& name) {
-                if (const auto remedy = fit::undriven_panel_text(name))
-                    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + *remedy);
+                if (const auto hint = fit::undriven_panel_text(name))
+                    throw CLI::ValidationError("--panel", "'" + name + "' is unknown: " + *hint);
                 panel = &named(panel_choices(), "--panel", name);
             });
     return offer_names(option, panel_choices());

@@ -64,7 +64,7 @@ const NamedKind* kind_named(const std::string& ending)
 
 }
 
-RenderSubject usual_subject(const fs::path& output)
+RenderSubject default_subject(const fs::path& output)
 {
     const NamedKind* const kind = kind_named(lower(output.extension().string()));
     return kind != nullptr && kind->of_moment == RenderKind::folder ? RenderSubject::film

@@ -17,7 +17,7 @@ enum class RenderKind { png, svg, folder, apng, gif, mp4, webm };
 RenderKind render_kind(const std::filesystem::path& output, RenderSubject subject);
 
 /// What is drawn if nothing is said of it: the film if such a file is an animation or a video, else a moment.
-RenderSubject usual_subject(const std::filesystem::path& output);
+RenderSubject default_subject(const std::filesystem::path& output);
 
 constexpr bool is_video(RenderKind kind) { return kind == RenderKind::mp4 || kind == RenderKind::webm; }
 

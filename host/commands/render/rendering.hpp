@@ -4,7 +4,7 @@
 #include "host/commands/render/picture_options.hpp"
 #include "host/commands/render/render_kind.hpp"
 #include "host/picture/frame_source.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -38,7 +38,7 @@ struct Rendering {
     const SceneFile& scene;
     Timeline timeline;
     std::filesystem::path output;
-    TellWork tell;
+    ProgressCallback tell;
 };
 
 /// What has been written.

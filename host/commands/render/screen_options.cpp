@@ -10,7 +10,7 @@
 namespace kfast {
 namespace {
 
-constexpr Size usual_size{480, 480};
+constexpr Size default_size{480, 480};
 
 BeamDisplay chosen_display(const ScreenOptions& options)
 {
@@ -55,6 +55,6 @@ std::unique_ptr<FrameSource> open_screen(const ScreenOptions& options, const Sce
                                               screen_size(size));
 }
 
-Size screen_size(std::optional<Size> chosen) { return chosen.value_or(usual_size); }
+Size screen_size(std::optional<Size> chosen) { return chosen.value_or(default_size); }
 
 }

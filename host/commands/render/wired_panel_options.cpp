@@ -176,7 +176,7 @@ void expect_wires(const WiredPanelOptions& options)
 struct DisplayRule {
     SettingsRule rule;
     const char* option;
-    const char* remedy; ///< null: it is that of a file of settings
+    const char* hint; ///< null: it is that of a file of settings
 };
 
 /// Of config, those that hold for any computer.
@@ -189,10 +189,10 @@ constexpr std::array display_rules{
 
 void expect_possible(const BoardSettings& settings)
 {
-    for (const auto& [rule, option, remedy] : display_rules)
+    for (const auto& [rule, option, hint] : display_rules)
         if (const auto mistake = rule(settings)) {
             const auto [message, in_settings] = config::text_of(*mistake, settings);
-            refuse(option, message + ": " + (remedy == nullptr ? in_settings : remedy));
+            refuse(option, message + ": " + (hint == nullptr ? in_settings : hint));
         }
 }
 
@@ -206,11 +206,11 @@ void declare_wired_panel_options(CLI::App& app, WiredPanelOptions& options)
 
 BoardSettings chosen_wired_panel(const WiredPanelOptions& options)
 {
-    constexpr std::uint32_t usual_most = 62'500'000; // as on a Pico: wires, not displays, end it
+    constexpr std::uint32_t default_max = 62'500'000; // as on a Pico: wires, not displays, end it
     BoardSettings settings;
     settings.panel = chosen_panel(options);
     settings.bus = options.bus;
-    settings.bus_clock = options.clock.value_or(std::min(config::rated_clock(settings), usual_most));
+    settings.bus_clock = options.clock.value_or(std::min(config::rated_clock(settings), default_max));
     expect_possible(settings);
     expect_wires(options);
     return settings;

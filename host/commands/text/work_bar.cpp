@@ -13,7 +13,7 @@ void WorkBar::tell(std::size_t done, std::size_t total)
 {
     if (!line_.is_seen() || total == 0)
         return;
-    const Clock::time_point now = Clock::now();
+    const Driver::time_point now = Driver::now();
     if (now - begin_ < before_first_drawing || now - drawn_ < between_drawings)
         return;
     drawn_ = now;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/commands/text/status_line.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 
 #include <chrono>
 #include <string>
@@ -16,18 +16,18 @@ public:
 
     void tell(std::size_t done, std::size_t total);
     /// The bar must outlive it.
-    TellWork teller()
+    ProgressCallback teller()
     {
         return [this](std::size_t done, std::size_t total) { tell(done, total); };
     }
 
 private:
-    using Clock = std::chrono::steady_clock;
+    using Driver = std::chrono::steady_clock;
 
     std::string what_;
     StatusLine line_;
-    Clock::time_point begin_ = Clock::now();
-    Clock::time_point drawn_ = begin_;
+    Driver::time_point begin_ = Driver::now();
+    Driver::time_point drawn_ = begin_;
 };
 
 }

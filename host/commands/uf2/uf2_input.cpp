@@ -13,15 +13,15 @@ namespace kfast {
 namespace {
 
 constexpr InputKind uf2_input{"UF2 file", "a .uf2 file", "copy it again"};
-constexpr std::size_t most_mistakes = 20; ///< that are told one by one
+constexpr std::size_t max_mistakes = 20; ///< that are told one by one
 
 std::string mistakes_text(const std::vector<Uf2Mistake>& mistakes)
 {
     std::string text;
-    for (std::size_t at = 0; at < std::min(mistakes.size(), most_mistakes); ++at)
+    for (std::size_t at = 0; at < std::min(mistakes.size(), max_mistakes); ++at)
         text += "\n  block " + std::to_string(mistakes[at].block) + ": " + mistakes[at].reason;
-    if (mistakes.size() > most_mistakes)
-        text += "\n  and " + std::to_string(mistakes.size() - most_mistakes) + " more";
+    if (mistakes.size() > max_mistakes)
+        text += "\n  and " + std::to_string(mistakes.size() - max_mistakes) + " more";
     return text;
 }
 

@@ -38,16 +38,16 @@ Roots roots_of(double a, double b, double c)
 }
 
 /// The share of the way from `a` to `b` that is nearest to `spot`.
-double nearest_share(Spot a, Spot b, Spot spot)
+double nearest_share(Vec2 a, Vec2 b, Vec2 spot)
 {
-    const Spot way = b - a;
+    const Vec2 way = b - a;
     const double square = dot(way, way);
     return square == 0 ? 0 : std::clamp(dot(spot - a, way) / square, 0.0, 1.0);
 }
 
 }
 
-Spot in_pixels(Point point)
+Vec2 in_pixels(Point point)
 {
     return {static_cast<double>(point.x.raw()) / Fixed::one, static_cast<double>(point.y.raw()) / Fixed::one};
 }
@@ -59,21 +59,21 @@ BackboneCell::BackboneCell(const BackboneNode& a, const BackboneNode& b, Point B
       low_{corner_}, high_{corner_}, first_{first}, last_{last}
 {
     for (const Point point : {b.middle, a.*side, b.*side}) {
-        const Spot spot = in_pixels(point);
+        const Vec2 spot = in_pixels(point);
         low_ = {std::min(low_.x, spot.x), std::min(low_.y, spot.y)};
         high_ = {std::max(high_.x, spot.x), std::max(high_.y, spot.y)};
     }
 }
 
-Spot BackboneCell::spot_at(CellPlace place) const
+Vec2 BackboneCell::spot_at(CellPlace place) const
 {
     return corner_ + place.along * along_ + place.across * (across_ + place.along * twist_);
 }
 
 // With h from the corner to the spot, h - w across lies along (along + w twist): their cross product is 0.
-std::optional<CellPlace> BackboneCell::place_of(Spot spot) const
+std::optional<CellPlace> BackboneCell::place_of(Vec2 spot) const
 {
-    const Spot h = spot - corner_;
+    const Vec2 h = spot - corner_;
     const Roots widths =
         roots_of(-cross(across_, twist_), cross(h, twist_) - cross(across_, along_), cross(h, along_));
     std::optional<CellPlace> best;
@@ -88,12 +88,12 @@ std::optional<CellPlace> BackboneCell::place_of(Spot spot) const
     return best;
 }
 
-std::optional<CellPlace> BackboneCell::place_at(Spot from_corner, double across) const
+std::optional<CellPlace> BackboneCell::place_at(Vec2 from_corner, double across) const
 {
     if (across < -noise || across > widest)
         return std::nullopt;
     const double width = std::max(across, 0.0);
-    const Spot way = along_ + width * twist_;
+    const Vec2 way = along_ + width * twist_;
     const double square = dot(way, way);
     if (square == 0)
         return std::nullopt;
@@ -101,23 +101,23 @@ std::optional<CellPlace> BackboneCell::place_at(Spot from_corner, double across)
     if (share < first_ - noise || share > last_ + noise)
         return std::nullopt;
     const CellPlace place{std::clamp(share, first_, last_), width};
-    const Spot error = spot_at(place) - corner_ - from_corner;
+    const Vec2 error = spot_at(place) - corner_ - from_corner;
     constexpr double largest_error = 1.0 / 256; // px: below what is stored
     if (dot(error, error) > largest_error * largest_error)
         return std::nullopt;
     return place;
 }
 
-CellPlace BackboneCell::nearest(Spot spot) const
+CellPlace BackboneCell::nearest(Vec2 spot) const
 {
     if (const auto place = place_of(spot); place && is_inside(*place))
         return *place;
     CellPlace best;
-    double least = -1;
+    double min = -1;
     const auto consider = [&](CellPlace place) {
-        const Spot way = spot_at(place) - spot;
-        if (const double square = dot(way, way); least < 0 || square < least) {
-            least = square;
+        const Vec2 way = spot_at(place) - spot;
+        if (const double square = dot(way, way); min < 0 || square < min) {
+            min = square;
             best = place;
         }
     };
@@ -128,7 +128,7 @@ CellPlace BackboneCell::nearest(Spot spot) const
     return best;
 }
 
-bool BackboneCell::may_contain(Spot spot) const
+bool BackboneCell::may_contain(Vec2 spot) const
 {
     constexpr double margin = 1.0 / 64;
     return spot.x >= low_.x - margin && spot.x <= high_.x + margin && spot.y >= low_.y - margin &&

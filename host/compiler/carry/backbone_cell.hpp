@@ -1,15 +1,15 @@
 #pragma once
 
-#include "core/pose/live_backbones.hpp"
+#include "core/pose/posed_backbones.hpp"
 #include "host/geometry/outline.hpp"
 
 #include <optional>
 
 namespace kfast {
 
-using scene::Spot;
+using scene::Vec2;
 
-Spot in_pixels(Point point);
+Vec2 in_pixels(Point point);
 
 /// Where a point is in a cell, in shares of it: along the backbone, and away from it.
 struct CellPlace {
@@ -28,24 +28,24 @@ public:
     BackboneCell(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side, double first,
                  double last);
 
-    Spot spot_at(CellPlace place) const;
+    Vec2 spot_at(CellPlace place) const;
     /// Where `spot` is, if that is within what the cell reaches to: the backbone on one hand, and as far as
     /// the format goes on the other.
-    std::optional<CellPlace> place_of(Spot spot) const;
+    std::optional<CellPlace> place_of(Vec2 spot) const;
     /// Of the points of the quadrilateral, the nearest to `spot`.
-    CellPlace nearest(Spot spot) const;
+    CellPlace nearest(Vec2 spot) const;
     /// False for sure where `spot` is not inside of the box around the quadrilateral.
-    bool may_contain(Spot spot) const;
+    bool may_contain(Vec2 spot) const;
 
 private:
-    std::optional<CellPlace> place_at(Spot from_corner, double across) const;
+    std::optional<CellPlace> place_at(Vec2 from_corner, double across) const;
 
-    Spot corner_; ///< the first node
-    Spot along_;  ///< from there to the next node
-    Spot across_; ///< from there to the outline
-    Spot twist_;  ///< how the latter changes along the cell
-    Spot low_;    ///< of the box around the quadrilateral
-    Spot high_;
+    Vec2 corner_; ///< the first node
+    Vec2 along_;  ///< from there to the next node
+    Vec2 across_; ///< from there to the outline
+    Vec2 twist_;  ///< how the latter changes along the cell
+    Vec2 low_;    ///< of the box around the quadrilateral
+    Vec2 high_;
     double first_;
     double last_;
 };

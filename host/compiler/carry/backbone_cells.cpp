@@ -36,7 +36,7 @@ RelativePoint BackboneCells::in_cell(const Cell& cell, CellPlace place) const
             .limit = reach(cell.backbone).last_node + 1};
 }
 
-RelativePoint BackboneCells::place_of(Spot spot, std::optional<std::int32_t> preferred) const
+RelativePoint BackboneCells::place_of(Vec2 spot, std::optional<std::int32_t> preferred) const
 {
     const Cell* cell = preferred ? containing(spot, preferred) : nullptr;
     if (cell == nullptr)
@@ -46,23 +46,23 @@ RelativePoint BackboneCells::place_of(Spot spot, std::optional<std::int32_t> pre
     return in_cell(*cell, *cell->shape.place_of(spot));
 }
 
-RelativePoint BackboneCells::place_on(Spot spot, std::int32_t backbone) const
+RelativePoint BackboneCells::place_on(Vec2 spot, std::int32_t backbone) const
 {
     if (containing(spot, backbone) != nullptr)
         return place_of(spot, backbone);
     return nearest(spot, backbone);
 }
 
-std::int32_t BackboneCells::main_backbone(std::span<const Spot> spots) const
+std::int32_t BackboneCells::main_backbone(std::span<const Vec2> spots) const
 {
     std::vector<std::size_t> inside(reaches_.size(), 0);
     for (std::size_t i = 0; i < inside.size(); ++i)
         inside[i] = static_cast<std::size_t>(std::ranges::count_if(
-            spots, [&](Spot spot) { return containing(spot, static_cast<std::int32_t>(i)) != nullptr; }));
+            spots, [&](Vec2 spot) { return containing(spot, static_cast<std::int32_t>(i)) != nullptr; }));
     return static_cast<std::int32_t>(std::ranges::max_element(inside) - inside.begin());
 }
 
-const BackboneCells::Cell* BackboneCells::containing(Spot spot, std::optional<std::int32_t> backbone) const
+const BackboneCells::Cell* BackboneCells::containing(Vec2 spot, std::optional<std::int32_t> backbone) const
 {
     const auto cell = std::ranges::find_if(cells_, [&](const Cell& candidate) {
         if ((backbone && candidate.backbone != *backbone) || !candidate.shape.may_contain(spot))
@@ -73,7 +73,7 @@ const BackboneCells::Cell* BackboneCells::containing(Spot spot, std::optional<st
     return cell == cells_.end() ? nullptr : &*cell;
 }
 
-RelativePoint BackboneCells::nearest(Spot spot, std::optional<std::int32_t> backbone) const
+RelativePoint BackboneCells::nearest(Vec2 spot, std::optional<std::int32_t> backbone) const
 {
     RelativePoint best;   // that reaches to the spot
     RelativePoint beside; // that does not

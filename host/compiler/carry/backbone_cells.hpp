@@ -27,11 +27,11 @@ public:
 
     /// Where `spot` is: in the first of the cells that contain it, of those of `preferred` if there are such;
     /// else in the nearest cell that reaches as far.
-    RelativePoint place_of(Spot spot, std::optional<std::int32_t> preferred = std::nullopt) const;
+    RelativePoint place_of(Vec2 spot, std::optional<std::int32_t> preferred = std::nullopt) const;
     /// Likewise, but in a cell of `backbone` in any case.
-    RelativePoint place_on(Spot spot, std::int32_t backbone) const;
+    RelativePoint place_on(Vec2 spot, std::int32_t backbone) const;
     /// The backbone in whose cells most of `spots` lie, the first of equals.
-    std::int32_t main_backbone(std::span<const Spot> spots) const;
+    std::int32_t main_backbone(std::span<const Vec2> spots) const;
 
     /// Where the nodes of a backbone are, along.
     struct Reach {
@@ -51,8 +51,8 @@ private:
     void add_cells(std::span<const BackboneNode> nodes, std::size_t first);
     RelativePoint in_cell(const Cell& cell, CellPlace place) const;
 
-    const Cell* containing(Spot spot, std::optional<std::int32_t> backbone) const;
-    RelativePoint nearest(Spot spot, std::optional<std::int32_t> backbone) const;
+    const Cell* containing(Vec2 spot, std::optional<std::int32_t> backbone) const;
+    RelativePoint nearest(Vec2 spot, std::optional<std::int32_t> backbone) const;
 
     std::vector<Cell> cells_; ///< in the order of the backbones, then of their segments, the left one first
     std::vector<Reach> reaches_;

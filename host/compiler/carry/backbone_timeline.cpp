@@ -46,7 +46,7 @@ std::vector<Time> BackboneTimeline::key_times() const
 
 std::size_t BackboneTimeline::node_count() const { return backbone_node_count(drawing(0)); }
 
-LiveBackbones BackboneTimeline::at(Time time, std::uint32_t unit_bits, std::span<BackboneNode> nodes) const
+PosedBackbones BackboneTimeline::at(Time time, std::uint32_t unit_bits, std::span<BackboneNode> nodes) const
 {
     const auto later = std::ranges::upper_bound(keys_, time, {}, &scene::BackboneKey::time) - keys_.begin();
     const auto next = static_cast<std::size_t>(later);

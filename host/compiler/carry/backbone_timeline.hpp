@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/live_backbones.hpp"
+#include "core/pose/posed_backbones.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstddef>
@@ -22,7 +22,7 @@ public:
     std::vector<Time> key_times() const;
     std::size_t node_count() const;
     /// `nodes` has room for node_count() and must outlive the result.
-    LiveBackbones at(Time time, std::uint32_t unit_bits, std::span<BackboneNode> nodes) const;
+    PosedBackbones at(Time time, std::uint32_t unit_bits, std::span<BackboneNode> nodes) const;
     std::vector<BackboneNode> nodes_at(Time time) const;
 
 private:

@@ -107,7 +107,7 @@ private:
         return {cells, cells.main_backbone(spots_of(side_of(part, side)))};
     }
 
-    void report_points(Place place)
+    void report_points(SourceSpan place)
     {
         diagnostics_.error(place,
                            "to carry this drawing, backbones divide it into more than " +

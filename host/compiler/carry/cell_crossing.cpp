@@ -31,10 +31,10 @@ public:
 private:
     std::uint32_t step_count() const
     {
-        const Spot from = in_pixels(segment_.from);
-        const Spot c1 = in_pixels(segment_.c1);
-        const Spot c2 = in_pixels(segment_.c2);
-        const Spot to = in_pixels(segment_.to);
+        const Vec2 from = in_pixels(segment_.from);
+        const Vec2 c1 = in_pixels(segment_.c1);
+        const Vec2 c2 = in_pixels(segment_.c2);
+        const Vec2 to = in_pixels(segment_.to);
         const double size = segment_.kind == Segment::Kind::line
                                 ? distance(from, to)
                                 : distance(from, c1) + distance(c1, c2) + distance(c2, to);
@@ -91,7 +91,7 @@ private:
     void add(Crossing crossing)
     {
         constexpr double near = 0.5; // px
-        const Spot at = in_pixels(point_at(segment_, Share{crossing.share}));
+        const Vec2 at = in_pixels(point_at(segment_, Share{crossing.share}));
         if (distance(at, in_pixels(segment_.from)) > near && distance(at, in_pixels(segment_.to)) > near)
             found_.push_back(crossing);
     }

@@ -16,7 +16,7 @@ struct KeyWay {
     Time time;
     LawPair laws;
     MatchedDrawings ends;
-    Place place; ///< of the key
+    SourceSpan place; ///< of the key
 };
 
 /// All that an object has.

@@ -10,7 +10,7 @@
 namespace kfast {
 namespace {
 
-std::string text_of(Spot spot)
+std::string text_of(Vec2 spot)
 {
     std::ostringstream text;
     text << spot.x << ' ' << spot.y;
@@ -38,7 +38,7 @@ public:
         }
     }
 
-    void warn(Place place, Diagnostics& diagnostics) const
+    void warn(SourceSpan place, Diagnostics& diagnostics) const
     {
         if (outside_ == 0)
             return;
@@ -84,7 +84,7 @@ private:
     const BackboneCells& cells_;
     std::size_t outside_ = 0;
     std::size_t moved_ = 0; ///< of them, because they cannot be carried where they are
-    Spot first_;            ///< of them
+    Vec2 first_;            ///< of them
 };
 
 }

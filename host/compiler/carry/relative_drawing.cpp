@@ -7,8 +7,8 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t least_unit_bits = 4;
-constexpr std::uint32_t most_unit_bits = 15;
+constexpr std::uint32_t min_unit_bits = 4;
+constexpr std::uint32_t max_unit_bits = 15;
 
 RelativeStroke relative_stroke(const std::vector<Segment>& stroke, const BackboneCells& cells)
 {
@@ -84,9 +84,9 @@ RelativeDrawing relative_drawing(const SegmentDrawing& drawing, const BackboneCe
     return relative;
 }
 
-std::vector<Spot> spots_of(const std::vector<Segment>& stroke)
+std::vector<Vec2> spots_of(const std::vector<Segment>& stroke)
 {
-    std::vector<Spot> spots{in_pixels(stroke.front().from)};
+    std::vector<Vec2> spots{in_pixels(stroke.front().from)};
     for (const Segment& segment : stroke)
         spots.push_back(in_pixels(segment.to));
     return spots;
@@ -94,10 +94,10 @@ std::vector<Spot> spots_of(const std::vector<Segment>& stroke)
 
 std::uint32_t unit_bits_of(std::span<const RelativeDrawing> drawings)
 {
-    std::uint32_t bits = most_unit_bits;
+    std::uint32_t bits = max_unit_bits;
     for (const RelativeDrawing& drawing : drawings)
         for (const RelativeStroke& stroke : drawing)
-            while (bits > least_unit_bits && !fits(stroke, bits))
+            while (bits > min_unit_bits && !fits(stroke, bits))
                 --bits;
     return bits;
 }

@@ -30,7 +30,7 @@ using RelativeDrawing = std::vector<RelativeStroke>;
 RelativeDrawing relative_drawing(const SegmentDrawing& drawing, const BackboneCells& cells);
 
 /// Where a stroke goes through its vertices.
-std::vector<Spot> spots_of(const std::vector<Segment>& stroke);
+std::vector<Vec2> spots_of(const std::vector<Segment>& stroke);
 
 /// The finest unit that all points of `drawings` can be stored in, as the format has it: 2^bits sixteenths
 /// stand for a segment.

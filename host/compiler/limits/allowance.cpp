@@ -22,7 +22,7 @@ struct Need {
 /// Something that the format limits, and how much of it the items of a scene need.
 struct Allowance {
     std::string_view what;
-    std::string_view remedy;
+    std::string_view hint;
     std::uint64_t limit;
     std::vector<Need> needs;
     std::string_view who = "the format holds";
@@ -150,12 +150,12 @@ void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& d
     const std::uint64_t needed = total(allowance.needs);
     if (needed <= allowance.limit)
         return;
-    const auto most = std::ranges::max_element(allowance.needs, {}, &Need::amount);
-    diagnostics.error(most->item->place,
+    const auto max = std::ranges::max_element(allowance.needs, {}, &Need::amount);
+    diagnostics.error(max->item->place,
                       "the scene needs " + std::to_string(needed) + " " + std::string{allowance.what} + ", " +
                           std::string{allowance.who} + " " + std::to_string(allowance.limit) + "; " +
-                          name_of(*most->item, scene) + " alone needs " + std::to_string(most->amount),
-                      std::string{allowance.remedy});
+                          name_of(*max->item, scene) + " alone needs " + std::to_string(max->amount),
+                      std::string{allowance.hint});
 }
 
 /// On all ways of an item whose points match by length.
@@ -215,12 +215,12 @@ std::optional<SceneView> playable(std::span<const std::byte> file, const scene::
     if (view)
         return *view;
     const scene::Item* item = stored_item(scene, number);
-    const Place place = item != nullptr ? item->place : Place{1, 1};
+    const SourceSpan place = item != nullptr ? item->place : SourceSpan{1, 1};
     if (view.error() == Error::too_slow)
         diagnostics.error(place,
                           "a picture of the scene takes a Pico (RP2040) longer than a second" +
                               (item != nullptr ? "; " + name_of(*item, scene) + " takes most of it" : ""),
-                          std::string{slow_scene_remedy});
+                          std::string{slow_scene_hint});
     else
         diagnostics.error(place,
                           "the scene has more keys, and points in their drawings, than a player reads of one "

@@ -10,7 +10,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t most_samples = 24;
+constexpr std::size_t max_samples = 24;
 
 std::size_t glyph_count(const SceneView& scene)
 {
@@ -26,7 +26,7 @@ std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const M
 {
     const std::size_t affordable =
         std::max<std::size_t>(affordable_pictures(scene) / std::max<std::size_t>(glyph_count(scene), 1), 1);
-    const std::size_t count = std::min({moments.size(), most_samples, affordable});
+    const std::size_t count = std::min({moments.size(), max_samples, affordable});
     std::vector<MeasuredMoment> samples;
     for (std::size_t i = 0; i < count; ++i)
         samples.push_back(moments[i * moments.size() / count]);
@@ -36,11 +36,11 @@ std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const M
 /// The character that needs most at one moment.
 struct Largest {
     std::uint32_t glyph = 0;
-    std::size_t most = 0;
-    std::size_t least = 0; ///< of any character
+    std::size_t max = 0;
+    std::size_t min = 0; ///< of any character
 
     /// Else the text is not seen.
-    bool tells() const { return most != least; }
+    bool tells() const { return max != min; }
 };
 
 /// The characters that need most at some of the samples, and the one that has most points: the text may be
@@ -54,9 +54,9 @@ std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t num
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const std::size_t bytes = meter.picture_at(samples[i].moment()).outlines.needed_bytes();
             Largest& at = largest[i];
-            at.least = glyph == 0 ? bytes : std::min(at.least, bytes);
-            if (glyph == 0 || bytes > at.most)
-                at = {glyph, bytes, at.least};
+            at.min = glyph == 0 ? bytes : std::min(at.min, bytes);
+            if (glyph == 0 || bytes > at.max)
+                at = {glyph, bytes, at.min};
         }
     }
     const std::vector<std::size_t> points = glyph_points(scene, number, input);
@@ -69,17 +69,17 @@ std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t num
 
 }
 
-void put_texts(const InputTexts& texts, OutlineMeter& meter)
+void put_texts(const LargestTexts& texts, OutlineMeter& meter)
 {
     for (std::uint32_t number = 0; number < texts.size(); ++number)
         meter.put_text(number, texts[number]);
 }
 
-std::vector<InputTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
+std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
                                       OutlineMeter& meter)
 {
     const std::vector<MeasuredMoment> samples = samples_of(scene, moments);
-    std::vector<InputTexts> sets{InputTexts(scene.input_count())};
+    std::vector<LargestTexts> sets{LargestTexts(scene.input_count())};
     InputCursor inputs = scene.inputs();
     for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
         const InputView input = inputs.next();
@@ -89,7 +89,7 @@ std::vector<InputTexts> largest_texts(const SceneView& scene, std::span<const Me
         if (glyphs.size() > sets.size())
             sets.resize(glyphs.size(), sets.back());
         auto glyph = glyphs.begin();
-        for (InputTexts& texts : sets) {
+        for (LargestTexts& texts : sets) {
             texts[number] = full_text(input.text, *glyph);
             if (std::next(glyph) != glyphs.end())
                 ++glyph;

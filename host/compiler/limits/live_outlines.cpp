@@ -37,7 +37,7 @@ std::size_t max_filled_bytes(std::size_t strokes, std::size_t points, std::size_
 /// they turn.
 std::size_t max_drawn_bytes(std::size_t strokes, std::size_t points, const Pen& pen, std::size_t rows)
 {
-    const auto round = static_cast<std::size_t>(most_corners_of_half_turn(pen.half_width));
+    const auto round = static_cast<std::size_t>(max_corners_of_half_turn(pen.half_width));
     const std::size_t of_join = 5 + (pen.join == Join::round ? round : 0);
     const std::size_t of_cap = pen.cap == Cap::round ? round : pen.cap == Cap::square ? 2 : 0;
     const std::size_t of_ends = 5 + (pen.cap == Cap::butt ? 0 : 2 * of_cap + 3);
@@ -65,11 +65,11 @@ std::int32_t max_growth(const Space& space, const Camera& camera)
     constexpr int farthest = 2048; // px
     constexpr int step = farthest / 8;
     const Projection projection{space, camera};
-    std::int32_t most = 0;
+    std::int32_t max = 0;
     for (int x = -farthest; x <= farthest; x += step)
         for (int y = -farthest; y <= farthest; y += step)
-            most = std::max(most, projection.growth_at({Fixed::pixels(x), Fixed::pixels(y)}));
-    return most;
+            max = std::max(max, projection.growth_at({Fixed::pixels(x), Fixed::pixels(y)}));
+    return max;
 }
 
 /// Of a drawing that is told.
@@ -98,7 +98,7 @@ std::size_t live_outline_bytes(const SceneOnPanel& on_panel)
     std::size_t bytes = 0;
     SceneWalk walk{on_panel, SceneWalk::Opacity::of_leaves};
     while (walk.next() == SceneWalk::Step::leaf)
-        if (walk.node().kind == ItemKind::live && walk.node().live == LiveKind::drawing)
+        if (walk.node().kind == ItemKind::live && walk.node().live == InputLeaf::drawing)
             bytes += bytes_of(on_panel, walk);
     return bytes;
 }

@@ -10,16 +10,16 @@
 namespace kfast {
 namespace {
 
-constexpr std::int32_t most_even_moments = 4000;
+constexpr std::int32_t max_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
 /// Of all pictures together, in the unit of SceneView::cost(): some one and a half seconds of a computer.
-constexpr std::size_t most_cost = 3U << 21;
+constexpr std::size_t max_cost = 3U << 21;
 
 /// Collects moments of one clock, which goes from 0 to `length`.
-class ClockMoments {
+class DriverMoments {
 public:
-    ClockMoments(Clock clock, Time length) : clock_{clock}, length_{length} {}
+    DriverMoments(Driver driver, Time length) : driver_{driver}, length_{length} {}
 
     void add_evenly(std::int32_t step)
     {
@@ -53,7 +53,7 @@ private:
     template <class Cursor>
     void add_keys(Cursor keys)
     {
-        if (keys.beats().clock() == clock_)
+        if (keys.key_times().driver() == driver_)
             while (!keys.at_end())
                 add_change(keys.next().time);
     }
@@ -65,14 +65,14 @@ private:
                 moments_.push_back({ticks});
     }
 
-    Clock clock_;
+    Driver driver_;
     Time length_;
     std::vector<Time> moments_;
 };
 
-std::vector<Time> moments_of(const SceneView& scene, Clock clock, Time length, std::int32_t step)
+std::vector<Time> moments_of(const SceneView& scene, Driver driver, Time length, std::int32_t step)
 {
-    ClockMoments moments{clock, length};
+    DriverMoments moments{driver, length};
     moments.add_evenly(step);
     every_item(scene, [&moments](const ItemView& item) { moments.add_keys(item); });
     return moments.sorted();
@@ -82,23 +82,23 @@ std::vector<Time> times_of(const SceneView& scene)
 {
     const Time length = scene.length();
     return moments_of(scene, {}, length,
-                      std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / most_even_moments));
+                      std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / max_even_moments));
 }
 
 /// Where the inputs of a scene may stand.
 class InputPlaces {
 public:
-    explicit InputPlaces(const SceneView& scene) : usual_(scene.input_count())
+    explicit InputPlaces(const SceneView& scene) : default_value_(scene.input_count())
     {
-        put_usual_places(scene.inputs(), usual_);
-        for (std::uint32_t i = 0; i < usual_.size(); ++i)
+        put_default_places(scene.inputs(), default_value_);
+        for (std::uint32_t i = 0; i < default_value_.size(); ++i)
             telling_.push_back((scene.number_inputs() & bit_of_input(i)) != 0
                                    ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
                                                 whole_input.ticks / even_places)
-                                   : std::vector<Time>{usual_[i]});
+                                   : std::vector<Time>{default_value_[i]});
     }
 
-    const std::vector<Time>& usual() const { return usual_; }
+    const std::vector<Time>& default_value() const { return default_value_; }
     /// Of one input, in order: even ones, those of its keys, and the tick before.
     std::size_t telling_count(std::size_t input) const
     {
@@ -118,7 +118,7 @@ public:
             return choice % 2 == 0 ? Time{} : whole_input;
         if (choice < 7)
             return telling_[input][random_() % telling_[input].size()];
-        return usual_[input];
+        return default_value_[input];
     }
 
     std::uint32_t random() { return static_cast<std::uint32_t>(random_()); }
@@ -127,7 +127,7 @@ private:
     static constexpr std::int32_t even_places = 32;
     static constexpr std::size_t most_telling = 256;
 
-    std::vector<Time> usual_;
+    std::vector<Time> default_value_;
     std::vector<std::vector<Time>> telling_;
     std::mt19937 random_{1};
 };
@@ -137,10 +137,10 @@ void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
                      std::vector<MeasuredMoment>& moments)
 {
     const auto any_time = [&] { return times[places.random() % times.size()]; };
-    const std::size_t inputs = places.usual().size();
+    const std::size_t inputs = places.default_value().size();
     for (std::size_t input = 0; input < inputs; ++input)
         for (std::size_t i = 0; i < places.telling_count(input); ++i) {
-            moments.push_back({any_time(), places.usual()});
+            moments.push_back({any_time(), places.default_value()});
             moments.back().inputs[input] = places.telling(input, i);
         }
     for (const Time end : {Time{}, whole_input})
@@ -162,7 +162,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     std::vector<MeasuredMoment> moments;
     moments.reserve(times.size());
     for (const Time time : times)
-        moments.push_back({time, places.usual()});
+        moments.push_back({time, places.default_value()});
     if (scene.number_inputs() != 0)
         add_with_inputs(times, places, moments);
     return moments;
@@ -170,7 +170,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
 
 std::size_t affordable_pictures(const SceneView& scene)
 {
-    return most_cost / std::max<std::uint32_t>(scene.cost(), 1);
+    return max_cost / std::max<std::uint32_t>(scene.cost(), 1);
 }
 
 void thin_out(std::vector<MeasuredMoment>& moments, std::size_t count)

@@ -26,7 +26,7 @@ public:
     }
 
     /// Where it stands in the text of the scene.
-    Place place() const { return place_; }
+    SourceSpan place() const { return place_; }
 
 private:
     void add(const std::vector<scene::Item>& items)
@@ -48,7 +48,7 @@ private:
     }
 
     const scene::Scene& scene_;
-    Place place_;
+    SourceSpan place_;
     std::size_t points_ = 0;
 };
 
@@ -90,7 +90,7 @@ private:
 }
 
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
-                   const InputTexts& texts, Diagnostics& diagnostics)
+                   const LargestTexts& texts, Diagnostics& diagnostics)
 {
     OutlineMeter meter{view, ample_bytes};
     put_texts(texts, meter);
@@ -98,14 +98,14 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Momen
     constexpr std::size_t held = kfb::max_outline_bytes;
     const std::size_t needed = std::max(picture.outlines.needed_bytes(), held);
     const auto by_item = outline_bytes_by_item(picture);
-    const auto& [path, most] =
+    const auto& [path, max] =
         *std::ranges::max_element(by_item, {}, [](const auto& item) { return item.second; });
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
     diagnostics.error(item.place,
                       "the outlines at frame " + scene::text_of(moment.time()) + " need " +
                           std::to_string(needed) + " bytes, " + std::to_string(needed - held) +
                           " more than the format holds; object \"" + item.name + "\" alone needs " +
-                          std::to_string(most),
+                          std::to_string(max),
                       "draw it with fewer points, or show less at a time");
 }
 

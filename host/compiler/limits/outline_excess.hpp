@@ -13,7 +13,7 @@ namespace kfast {
 /// Reports that the outlines at `moment`, with these texts, do not fit what the format allows, at the object
 /// that has most of them. `view` is `scene` compiled.
 void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
-                   const InputTexts& texts, Diagnostics& diagnostics);
+                   const LargestTexts& texts, Diagnostics& diagnostics);
 
 /// Likewise where the worst that live drawings may be told, `live` bytes, comes to `bytes` of others; at the
 /// one that may have most points.

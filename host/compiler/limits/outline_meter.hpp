@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/pose/live_backbones.hpp"
-#include "core/pose/live_bones.hpp"
+#include "core/pose/posed_backbones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
@@ -38,7 +38,7 @@ private:
     std::vector<raster::PaintStep> steps_;
     std::vector<std::uint32_t> prepared_; // likewise
     std::vector<Space> spaces_;
-    std::vector<LiveBone> bones_;
+    std::vector<PosedBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
     std::vector<std::uint32_t> drawings_; // words, likewise
     std::vector<std::byte> texts_;

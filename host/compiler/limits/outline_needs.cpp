@@ -13,12 +13,12 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t least_bytes = 64;
-constexpr std::size_t least_moments = 64; ///< that are measured, however long it takes
+constexpr std::size_t min_bytes = 64;
+constexpr std::size_t min_moments = 64; ///< that are measured, however long it takes
 
 std::uint32_t with_reserve(std::size_t bytes)
 {
-    const std::size_t wanted = (bytes + bytes / 8 + least_bytes) / 4 * 4;
+    const std::size_t wanted = (bytes + bytes / 8 + min_bytes) / 4 * 4;
     return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_outline_bytes));
 }
 
@@ -40,15 +40,15 @@ std::size_t live_borders(std::size_t bytes) { return bytes / 16; }
 
 std::uint32_t borders_with_reserve(std::size_t borders)
 {
-    constexpr std::size_t least = 16;
-    const std::size_t wanted = borders + borders / 16 + least;
+    constexpr std::size_t min = 16;
+    const std::size_t wanted = borders + borders / 16 + min;
     return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_borders));
 }
 
 }
 
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
-                                          Diagnostics& diagnostics, const TellWork& tell)
+                                          Diagnostics& diagnostics, const ProgressCallback& tell)
 {
     set_outline_needs(file, {.bytes = kfb::max_outline_bytes});
     const auto view = playable(file, scene, diagnostics);
@@ -56,14 +56,14 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
         return std::nullopt;
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     std::vector<MeasuredMoment> moments = measured_moments(*view);
-    std::size_t most = 0;
-    std::size_t most_borders = 0;
-    std::size_t most_cache_bytes = 0;
-    const std::vector<InputTexts> all_texts = largest_texts(*view, moments, meter);
-    thin_out(moments, std::max(affordable_pictures(*view) / all_texts.size(), least_moments));
+    std::size_t max = 0;
+    std::size_t max_borders = 0;
+    std::size_t max_cache_bytes = 0;
+    const std::vector<LargestTexts> all_texts = largest_texts(*view, moments, meter);
+    thin_out(moments, std::max(affordable_pictures(*view) / all_texts.size(), min_moments));
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
-    for (const InputTexts& texts : all_texts) {
+    for (const LargestTexts& texts : all_texts) {
         put_texts(texts, meter);
         for (const MeasuredMoment& measured : moments) {
             tell(done++, steps);
@@ -79,15 +79,15 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
                 report_live_excess(scene, measured.moment(), outlines.needed_bytes(), live, diagnostics);
                 return std::nullopt;
             }
-            most = std::max(most, bytes);
-            most_borders = std::max(most_borders, borders_of(outlines) + live_borders(live));
-            most_cache_bytes = std::max(most_cache_bytes, picture.cache.bytes_in_use());
+            max = std::max(max, bytes);
+            max_borders = std::max(max_borders, borders_of(outlines) + live_borders(live));
+            max_cache_bytes = std::max(max_cache_bytes, picture.cache.bytes_in_use());
         }
     }
-    return OutlineNeeds{.bytes = with_reserve(most),
-                        .borders = borders_with_reserve(most_borders),
+    return OutlineNeeds{.bytes = with_reserve(max),
+                        .borders = borders_with_reserve(max_borders),
                         .cache_bytes = static_cast<std::uint32_t>(
-                            std::min<std::size_t>(most_cache_bytes, kfb::max_cache_bytes))};
+                            std::min<std::size_t>(max_cache_bytes, kfb::max_cache_bytes))};
 }
 
 }

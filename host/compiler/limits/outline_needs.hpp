@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/compiler/write/header.hpp"
-#include "host/program/tell_work.hpp"
+#include "host/program/progress_callback.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
@@ -22,6 +22,7 @@ namespace kfast {
 /// may halve a few curves once more. A player whose picture finds no room all the same draws it with coarser
 /// curves. That is most of the work of compiling, and `tell` is told of it.
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
-                                          Diagnostics& diagnostics, const TellWork& tell = tell_nobody);
+                                          Diagnostics& diagnostics,
+                                          const ProgressCallback& tell = tell_nobody);
 
 }

@@ -14,24 +14,24 @@ namespace {
 /// Less than one and a half degrees of a circle apart.
 constexpr std::size_t sample_count = 256;
 
-std::vector<Spot> centred_samples_of(const MeasuredStroke& stroke)
+std::vector<Vec2> centred_samples_of(const MeasuredStroke& stroke)
 {
-    std::vector<Spot> samples = samples_of(stroke, sample_count);
-    Spot sum;
-    for (const Spot sample : samples)
+    std::vector<Vec2> samples = samples_of(stroke, sample_count);
+    Vec2 sum;
+    for (const Vec2 sample : samples)
         sum = sum + sample;
-    for (Spot& sample : samples)
+    for (Vec2& sample : samples)
         sample = sample - (1.0 / sample_count) * sum;
     return samples;
 }
 
 /// For each shift the sum of the dot products of samples that meet: the greater it is, the nearer the strokes
 /// lie to each other.
-std::array<double, sample_count> agreements(const std::vector<Spot>& fixed, const std::vector<Spot>& moved)
+std::array<double, sample_count> agreements(const std::vector<Vec2>& fixed, const std::vector<Vec2>& moved)
 {
     constexpr std::size_t at_once = 8; // sums that do not wait for each other
     static_assert(sample_count % at_once == 0);
-    std::vector<Spot> twice = moved;
+    std::vector<Vec2> twice = moved;
     twice.insert(twice.end(), moved.begin(), moved.end());
     std::array<double, sample_count> sums{};
     for (std::size_t shift = 0; shift < sample_count; shift += at_once)
@@ -41,10 +41,10 @@ std::array<double, sample_count> agreements(const std::vector<Spot>& fixed, cons
     return sums;
 }
 
-double square_sum(const std::vector<Spot>& samples)
+double square_sum(const std::vector<Vec2>& samples)
 {
     double sum = 0;
-    for (const Spot sample : samples)
+    for (const Vec2 sample : samples)
         sum += dot(sample, sample);
     return sum;
 }
@@ -98,11 +98,11 @@ AlignedStrokes begun_at_best(const MeasuredStroke& fixed, const MeasuredStroke& 
 AlignedStrokes aligned_to(const MeasuredStroke& fixed, std::size_t starts, const MeasuredStroke& closed,
                           Reversal reversal)
 {
-    const std::vector<Spot> target = centred_samples_of(fixed);
-    const std::vector<Spot> forwards = centred_samples_of(closed);
-    const std::vector<Spot> backwards{forwards.rbegin(), forwards.rend()};
+    const std::vector<Vec2> target = centred_samples_of(fixed);
+    const std::vector<Vec2> forwards = centred_samples_of(closed);
+    const std::vector<Vec2> backwards{forwards.rbegin(), forwards.rend()};
     const double noise = 1e-9 * std::sqrt(square_sum(target) * square_sum(forwards));
-    const auto best = [&](const std::vector<Spot>& samples) {
+    const auto best = [&](const std::vector<Vec2>& samples) {
         const auto all = agreements(target, samples);
         return best_shift(sample_count, noise, [&all](std::size_t steps) { return all[steps]; });
     };

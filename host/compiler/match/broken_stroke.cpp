@@ -9,12 +9,12 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t sample_count = 256;
-constexpr std::size_t most_targets = 64; ///< four samples each, if they are even
+constexpr std::size_t max_targets = 64; ///< four samples each, if they are even
 
-Spot sum_of(const std::vector<Spot>& spots)
+Vec2 sum_of(const std::vector<Vec2>& spots)
 {
-    Spot sum;
-    for (const Spot spot : spots)
+    Vec2 sum;
+    for (const Vec2 spot : spots)
         sum = sum + spot;
     return sum;
 }
@@ -25,12 +25,12 @@ std::vector<double> ends_of_parts(const std::vector<PartTarget>& targets)
     double length = 0;
     for (const PartTarget& target : targets)
         length += target.length;
-    const double least = length > 0 ? length / 16 / static_cast<double>(targets.size()) : 1;
+    const double min = length > 0 ? length / 16 / static_cast<double>(targets.size()) : 1;
     std::vector<double> ends;
     ends.reserve(targets.size());
     double passed = 0;
     for (const PartTarget& target : targets)
-        ends.push_back(passed += std::max(target.length, least));
+        ends.push_back(passed += std::max(target.length, min));
     for (double& end : ends)
         end /= passed;
     return ends;
@@ -58,14 +58,14 @@ public:
         : samples_{samples_of(whole, sample_count)}
     {
         std::size_t begin = 0;
-        const Spot middle = middle_of(targets);
+        const Vec2 middle = middle_of(targets);
         for (std::size_t i = 0; i < targets.size(); ++i) {
             const auto end = static_cast<std::size_t>(std::lround(ends[i] * sample_count));
             pulls_.insert(pulls_.end(), end - begin, targets[i].centre - middle);
             begin = end;
         }
-        const Spot centre = (1.0 / sample_count) * sum_of(samples_);
-        for (Spot& sample : samples_)
+        const Vec2 centre = (1.0 / sample_count) * sum_of(samples_);
+        for (Vec2& sample : samples_)
             sample = sample - centre;
     }
 
@@ -87,22 +87,22 @@ public:
     }
 
 private:
-    static Spot middle_of(const std::vector<PartTarget>& targets)
+    static Vec2 middle_of(const std::vector<PartTarget>& targets)
     {
-        Spot sum;
+        Vec2 sum;
         for (const PartTarget& target : targets)
             sum = sum + target.centre;
         return (1.0 / static_cast<double>(targets.size())) * sum;
     }
 
-    std::vector<Spot> samples_; ///< seen from their centre
-    std::vector<Spot> pulls_;   ///< for each sample where its target is
+    std::vector<Vec2> samples_; ///< seen from their centre
+    std::vector<Vec2> pulls_;   ///< for each sample where its target is
 };
 
 MeasuredStroke begun_for(const MeasuredStroke& whole, const std::vector<PartTarget>& targets,
                          const std::vector<double>& ends)
 {
-    if (!is_closed(whole) || targets.size() == 1 || targets.size() > most_targets)
+    if (!is_closed(whole) || targets.size() == 1 || targets.size() > max_targets)
         return whole;
     const PartAgreement agreement{whole, targets, ends};
     const Shift best = best_shift(sample_count, agreement.noise(),

@@ -7,7 +7,7 @@ namespace kfast {
 /// What a part of a broken stroke is to become.
 struct PartTarget {
     double length = 0; ///< 0 for a single point
-    Spot centre;       ///< of gravity
+    Vec2 centre;       ///< of gravity
 };
 
 PartTarget target_of(const scene::Stroke& stroke);

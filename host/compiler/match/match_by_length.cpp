@@ -73,12 +73,12 @@ std::vector<StrokePlace> spread(const std::vector<StrokePlace>& places, std::siz
     return result;
 }
 
-std::size_t most_segments(const std::vector<MatchedPart>& parts)
+std::size_t max_segments(const std::vector<MatchedPart>& parts)
 {
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (const MatchedPart& part : parts)
-        most = std::max(most, part.places.a.size() - 1);
-    return most;
+        max = std::max(max, part.places.a.size() - 1);
+    return max;
 }
 
 /// Appends one stroke to `from` and its partners to `to`. All parts get the same number of segments, for that
@@ -92,7 +92,7 @@ bool append(const scene::Stroke& whole, Strokes partners, Reversal reversal, Mat
         return true;
     }
     const std::vector<MatchedPart> parts = matched_parts(measured(whole), partners, reversal);
-    const std::size_t segments = most_segments(parts);
+    const std::size_t segments = max_segments(parts);
     if (segments * parts.size() >= kfb::max_drawing_points)
         return false;
     MeasuredStroke joined;

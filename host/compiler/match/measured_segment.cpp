@@ -9,15 +9,15 @@ namespace {
 constexpr int chords = 32;
 
 /// The polar form of a cubic: blossom(t, t, t) is the point at t.
-Spot blossom(const MeasuredSegment& cubic, double r, double s, double t)
+Vec2 blossom(const MeasuredSegment& cubic, double r, double s, double t)
 {
-    const Spot a = between(cubic.from, cubic.c1, r);
-    const Spot b = between(cubic.c1, cubic.c2, r);
-    const Spot c = between(cubic.c2, cubic.to, r);
+    const Vec2 a = between(cubic.from, cubic.c1, r);
+    const Vec2 b = between(cubic.c1, cubic.c2, r);
+    const Vec2 c = between(cubic.c2, cubic.to, r);
     return between(between(a, b, s), between(b, c, s), t);
 }
 
-Spot at_parameter(const MeasuredSegment& segment, double t)
+Vec2 at_parameter(const MeasuredSegment& segment, double t)
 {
     return segment.cubic ? blossom(segment, t, t, t) : between(segment.from, segment.to, t);
 }
@@ -26,9 +26,9 @@ Spot at_parameter(const MeasuredSegment& segment, double t)
 double parameter_at(const MeasuredSegment& cubic, double share)
 {
     double left = share * cubic.length;
-    Spot at = cubic.from;
+    Vec2 at = cubic.from;
     for (int i = 0; i < chords && share < 1; ++i) {
-        const Spot next = at_parameter(cubic, (i + 1.0) / chords);
+        const Vec2 next = at_parameter(cubic, (i + 1.0) / chords);
         const double chord = distance(at, next);
         if (left < chord)
             return (i + left / chord) / chords;
@@ -40,15 +40,15 @@ double parameter_at(const MeasuredSegment& cubic, double share)
 
 }
 
-Spot between(Spot a, Spot b, double share) { return (1 - share) * a + share * b; }
+Vec2 between(Vec2 a, Vec2 b, double share) { return (1 - share) * a + share * b; }
 
 MeasuredSegment measured(MeasuredSegment segment)
 {
     segment.length = 0;
     const int count = segment.cubic ? chords : 1;
-    Spot at = segment.from;
+    Vec2 at = segment.from;
     for (int i = 1; i <= count; ++i) {
-        const Spot next = at_parameter(segment, static_cast<double>(i) / count);
+        const Vec2 next = at_parameter(segment, static_cast<double>(i) / count);
         segment.length += distance(at, next);
         at = next;
     }
@@ -59,20 +59,20 @@ double unevenness(const MeasuredSegment& segment)
 {
     if (!segment.cubic)
         return 0;
-    double most = 0;
+    double max = 0;
     double length = 0;
-    Spot at = segment.from;
+    Vec2 at = segment.from;
     for (int i = 1; i < chords; ++i) {
         const double share = static_cast<double>(i) / chords;
-        const Spot next = at_parameter(segment, share);
+        const Vec2 next = at_parameter(segment, share);
         length += distance(at, next);
-        most = std::max(most, std::abs(length - share * segment.length));
+        max = std::max(max, std::abs(length - share * segment.length));
         at = next;
     }
-    return most;
+    return max;
 }
 
-Spot spot_at(const MeasuredSegment& segment, double share)
+Vec2 spot_at(const MeasuredSegment& segment, double share)
 {
     return at_parameter(segment, segment.cubic ? parameter_at(segment, share) : share);
 }
@@ -98,9 +98,9 @@ MeasuredSegment reversed(const MeasuredSegment& segment)
     return {segment.cubic, segment.to, segment.c2, segment.c1, segment.from, segment.length};
 }
 
-Spot direction(const MeasuredSegment& segment)
+Vec2 direction(const MeasuredSegment& segment)
 {
-    const auto has_extent = [](Spot spot) { return spot.x != 0 || spot.y != 0; };
+    const auto has_extent = [](Vec2 spot) { return spot.x != 0 || spot.y != 0; };
     if (segment.cubic && has_extent(segment.c1 - segment.from))
         return segment.c1 - segment.from;
     if (segment.cubic && has_extent(segment.c2 - segment.from))

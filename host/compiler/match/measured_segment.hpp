@@ -8,20 +8,20 @@
 /// everywhere.
 namespace kfast {
 
-using scene::Spot;
+using scene::Vec2;
 
 /// In pixels. A line's control points are not looked at.
 struct MeasuredSegment {
     bool cubic = false;
-    Spot from;
-    Spot c1;
-    Spot c2;
-    Spot to;
+    Vec2 from;
+    Vec2 c1;
+    Vec2 c2;
+    Vec2 to;
     double length = 0;
 };
 
 /// The point at a share of the way from `a` to `b`; exact at 0 and 1.
-Spot between(Spot a, Spot b, double share);
+Vec2 between(Vec2 a, Vec2 b, double share);
 
 /// Sets the length. A curve's is that of 32 chords: for a quarter of a circle 1/10000 too short.
 MeasuredSegment measured(MeasuredSegment segment);
@@ -30,7 +30,7 @@ MeasuredSegment measured(MeasuredSegment segment);
 double unevenness(const MeasuredSegment& segment);
 
 /// The point at a share of the length.
-Spot spot_at(const MeasuredSegment& segment, double share);
+Vec2 spot_at(const MeasuredSegment& segment, double share);
 
 /// The stretch between two shares of the length; it has the same points in common with its neighbour that
 /// begins where it ends, to the bit.
@@ -39,6 +39,6 @@ MeasuredSegment stretch(const MeasuredSegment& whole, double begin, double end);
 MeasuredSegment reversed(const MeasuredSegment& segment);
 
 /// Where it leads from its first point; (0, 0) if it has no extent.
-Spot direction(const MeasuredSegment& segment);
+Vec2 direction(const MeasuredSegment& segment);
 
 }

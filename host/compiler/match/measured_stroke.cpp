@@ -7,7 +7,7 @@
 namespace kfast {
 namespace {
 
-scene::Point rounded(Spot spot) { return {scene::to_sixteenths(spot.x), scene::to_sixteenths(spot.y)}; }
+scene::Point rounded(Vec2 spot) { return {scene::to_sixteenths(spot.x), scene::to_sixteenths(spot.y)}; }
 
 scene::Segment rounded(const MeasuredSegment& segment)
 {
@@ -18,7 +18,7 @@ scene::Segment rounded(const MeasuredSegment& segment)
 
 }
 
-Spot in_pixels(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
+Vec2 in_pixels(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
 
 MeasuredStroke measured(const scene::Stroke& stroke)
 {
@@ -83,10 +83,10 @@ StrokePlace place_at(std::span<const double> positions, double position)
     return {segment, share_between(positions[segment], positions[segment + 1], position)};
 }
 
-std::vector<Spot> samples_of(const MeasuredStroke& stroke, std::size_t count)
+std::vector<Vec2> samples_of(const MeasuredStroke& stroke, std::size_t count)
 {
     const std::vector<double> positions = positions_of(stroke);
-    std::vector<Spot> samples;
+    std::vector<Vec2> samples;
     samples.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double position = (static_cast<double>(i) + 0.5) / static_cast<double>(count);

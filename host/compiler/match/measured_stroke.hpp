@@ -17,7 +17,7 @@ struct StrokePlace {
     double share = 0;
 };
 
-Spot in_pixels(scene::Point point);
+Vec2 in_pixels(scene::Point point);
 
 MeasuredStroke measured(const scene::Stroke& stroke);
 
@@ -41,7 +41,7 @@ StrokePlace place_at(std::span<const double> positions, double position);
 
 /// Points at even distances along the stroke. They lie half a step from its ends, so that those of the
 /// reversed stroke are the same in reverse. `stroke` has a segment.
-std::vector<Spot> samples_of(const MeasuredStroke& stroke, std::size_t count);
+std::vector<Vec2> samples_of(const MeasuredStroke& stroke, std::size_t count);
 
 /// The part between two places, the first of which is not behind the second.
 MeasuredStroke part_of(const MeasuredStroke& stroke, StrokePlace begin, StrokePlace end);

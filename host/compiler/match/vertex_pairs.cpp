@@ -10,19 +10,19 @@ namespace {
 /// Of the length of the stroke: a vertex that is moved so little along it is not seen to move.
 constexpr double unseen = 0.02;
 /// Only so many vertices on either side of the nearest are tried.
-constexpr std::ptrdiff_t most_tried = 8;
+constexpr std::ptrdiff_t max_tried = 8;
 
-Spot unit(Spot direction)
+Vec2 unit(Vec2 direction)
 {
     const double length = std::sqrt(dot(direction, direction));
-    return length > 0 ? (1 / length) * direction : Spot{};
+    return length > 0 ? (1 / length) * direction : Vec2{};
 }
 
 StrokeCorner corner_between(const MeasuredSegment& before, const MeasuredSegment& after)
 {
     constexpr double cosine = 0.8660254037844386; // of 30 degrees
-    const Spot in = -1.0 * unit(direction(reversed(before)));
-    const Spot out = unit(direction(after));
+    const Vec2 in = -1.0 * unit(direction(reversed(before)));
+    const Vec2 out = unit(direction(after));
     return dot(in, out) < cosine ? StrokeCorner{in, out} : StrokeCorner{};
 }
 
@@ -90,8 +90,8 @@ void add_links(const StrokeVertices& a, std::size_t i, const StrokeVertices& b, 
     const auto first = b.positions.begin() + 1;
     const auto last = b.positions.end() - 1;
     const auto nearest = std::lower_bound(first, last, a.positions[i]);
-    const auto end = nearest + std::min(most_tried, last - nearest);
-    for (auto at = nearest - std::min(most_tried, nearest - first); at != end; ++at) {
+    const auto end = nearest + std::min(max_tried, last - nearest);
+    for (auto at = nearest - std::min(max_tried, nearest - first); at != end; ++at) {
         const auto j = static_cast<std::size_t>(at - b.positions.begin());
         const double gain = affinity(a, i, b, j, a.positions[i] - b.positions[j]);
         if (gain <= 0)

@@ -13,8 +13,8 @@ namespace kfast {
 /// The directions in which a stroke reaches and leaves a vertex: of length 1, or 0 where it does not turn by
 /// more than 30 degrees.
 struct StrokeCorner {
-    Spot in;
-    Spot out;
+    Vec2 in;
+    Vec2 out;
 };
 
 /// The vertices of a stroke, in its direction.

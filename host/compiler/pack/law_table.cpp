@@ -20,7 +20,7 @@ void write_parameters(const VelocityLaw& law, ByteWriter& bytes)
 
 }
 
-std::uint32_t LawTable::number_of(const LawPair& laws, Place place)
+std::uint32_t LawTable::number_of(const LawPair& laws, SourceSpan place)
 {
     if (laws == LawPair{})
         return 0;

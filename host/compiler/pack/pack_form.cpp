@@ -44,9 +44,9 @@ bool is_turned(const Steps& steps)
     return steps.size() % 2 == 0 && Steps{half, steps.end()} == mirrored({steps.begin(), half}, true, true);
 }
 
-Delta foretold_end(Delta out, Delta in)
+Delta predicted_end(Delta out, Delta in)
 {
-    return {kfast::foretold_end(out.x, in.x), kfast::foretold_end(out.y, in.y)};
+    return {kfast::predicted_end(out.x, in.x), kfast::predicted_end(out.y, in.y)};
 }
 
 /// Whether a first control point that is `off` from going on as the segment before counts as smooth.
@@ -62,18 +62,18 @@ void store(const Steps& steps, const StrokeForm& form, Sink& sink)
     const std::size_t count = form.end == StrokeEnd::turned ? steps.size() / 2 : steps.size();
     Delta onwards;
     for (const Step& step : std::span{steps}.first(count)) {
-        const bool is_foretold = step.cubic && form.foretold != 0;
+        const bool is_predicted = step.cubic && form.predicted != 0;
         const bool has_end = form.end != StrokeEnd::closed || &step != &steps.back();
         sink.kind(step.cubic);
-        if (has_end && !is_foretold)
+        if (has_end && !is_predicted)
             sink.end(step.end);
         if (step.cubic) {
             const Delta off = step.c1 - onwards;
             is_smooth(off, form) ? sink.smooth(off) : sink.first_control(step.c1);
-            sink.second_control(is_foretold ? -step.back - step.c1 : step.back);
+            sink.second_control(is_predicted ? -step.back - step.c1 : step.back);
         }
-        if (has_end && is_foretold)
-            sink.end(step.end - foretold_end(step.c1, -step.back));
+        if (has_end && is_predicted)
+            sink.end(step.end - predicted_end(step.c1, -step.back));
         onwards = -step.back;
     }
 }
@@ -89,14 +89,14 @@ public:
 
     void fit(StrokeForm& form) const
     {
-        const bool is_foretold = form.foretold != 0;
-        const std::uint32_t controls = is_foretold ? seconds_ : std::max(firsts_, seconds_);
-        const std::uint32_t ends = std::max(ends_, is_foretold ? at_least(controls) : controls);
+        const bool is_predicted = form.predicted != 0;
+        const std::uint32_t controls = is_predicted ? seconds_ : std::max(firsts_, seconds_);
+        const std::uint32_t ends = std::max(ends_, is_predicted ? at_least(controls) : controls);
         form.ends.bits = static_cast<std::uint8_t>(ends);
         if (form.mix != SegmentMix::lines)
             form.controls.bits = static_cast<std::uint8_t>(std::max(controls, at_least(ends)));
-        if (is_foretold)
-            form.foretold = static_cast<std::uint8_t>(firsts_);
+        if (is_predicted)
+            form.predicted = static_cast<std::uint8_t>(firsts_);
     }
 
 private:
@@ -164,9 +164,9 @@ private:
 void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
 {
     bytes.u16(form.packed());
-    bytes.varint(static_cast<std::uint32_t>(2 * steps.size()) + (form.foretold != 0 ? 1 : 0));
-    if (form.foretold != 0)
-        bytes.u8(form.foretelling());
+    bytes.varint(static_cast<std::uint32_t>(2 * steps.size()) + (form.predicted != 0 ? 1 : 0));
+    if (form.predicted != 0)
+        bytes.u8(form.predicting());
 }
 
 /// Of what packed() makes, but for the head: that of forms that are not foretold is one byte shorter.
@@ -175,7 +175,7 @@ std::size_t packed_size(const Steps& steps, const StrokeForm& form)
     BitCounter bits;
     FormPacker packer{form, bits};
     store(steps, form, packer);
-    return bits.bytes() + (form.foretold != 0 ? 1 : 0);
+    return bits.bytes() + (form.predicted != 0 ? 1 : 0);
 }
 
 std::vector<std::byte> packed(const Steps& steps, const StrokeForm& form)
@@ -220,7 +220,7 @@ std::vector<StrokeForm> forms_for(const Steps& steps)
             form.smooth = smooth;
             forms.push_back(form);
         }
-    add_changed(forms, [](StrokeForm& form) { form.foretold = 1; });
+    add_changed(forms, [](StrokeForm& form) { form.predicted = 1; });
     return forms;
 }
 

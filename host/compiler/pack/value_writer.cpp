@@ -35,11 +35,11 @@ std::optional<std::vector<std::int32_t>> numbers_of(std::span<const std::int32_t
 
 void write_numbers(const std::vector<std::int32_t>& numbers, std::uint32_t unit, ByteWriter& bytes)
 {
-    const auto [least, most] = std::ranges::minmax(numbers);
-    const auto first = static_cast<std::uint32_t>(least);
-    const auto width = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(most) - first));
+    const auto [min, max] = std::ranges::minmax(numbers);
+    const auto first = static_cast<std::uint32_t>(min);
+    const auto width = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(max) - first));
     bytes.u8(width | unit << 5);
-    bytes.signed_varint(least);
+    bytes.signed_varint(min);
     BitWriter bits{bytes};
     for (const std::int32_t number : numbers)
         bits.number(static_cast<std::uint32_t>(number) - first, width);

@@ -2,7 +2,7 @@
 
 #include "core/math/angle.hpp"
 #include "core/scene/bone_view.hpp"
-#include "host/compiler/pack/beat_writer.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 #include "host/compiler/write/track_writer.hpp"
 
@@ -50,14 +50,14 @@ class SkeletonWriter {
 public:
     SkeletonWriter(const scene::Bones& skeleton, LawTable& laws) : skeleton_{skeleton}, laws_{laws}
     {
-        choose_common_beats();
+        choose_common_key_times();
     }
 
     std::vector<std::byte> write()
     {
         ByteWriter bytes;
         bytes.u8(static_cast<std::uint32_t>(skeleton_.bones.size()));
-        write_beats(common_, {}, bytes);
+        write_key_times(common_, {}, bytes);
         for (const scene::Bone& bone : skeleton_.bones)
             write_bone(bone, bytes);
         return bytes.bytes();
@@ -65,18 +65,18 @@ public:
 
 private:
     /// Those that save most: of all quantities that have them, each stores its values only.
-    void choose_common_beats()
+    void choose_common_key_times()
     {
-        std::map<ClockedBeats, std::size_t> uses;
+        std::map<DrivenKeyTimes, std::size_t> uses;
         for (const scene::Bone& bone : skeleton_.bones)
             for (const Keys& keys : bone.keys)
                 if (!keys.empty())
-                    ++uses[beats_of(keys, bone.clock, false, laws_)];
-        std::size_t most = 0;
-        for (const auto& [clocked, count] : uses)
-            if (const std::size_t saved = (count - 1) * clocked.beats.size(); saved > most) {
-                most = saved;
-                common_ = clocked;
+                    ++uses[key_times_of(keys, bone.driver, false, laws_)];
+        std::size_t max = 0;
+        for (const auto& [driven, count] : uses)
+            if (const std::size_t saved = (count - 1) * driven.key_times.size(); saved > max) {
+                max = saved;
+                common_ = driven;
             }
     }
 
@@ -113,13 +113,13 @@ private:
     void write_keys(const scene::Bone& bone, BoneQuantity quantity, ByteWriter& bytes)
     {
         const Keys& keys = bone.keys[static_cast<std::size_t>(quantity)];
-        write_beats(beats_of(keys, bone.clock, false, laws_), common_, bytes);
+        write_key_times(key_times_of(keys, bone.driver, false, laws_), common_, bytes);
         write_values(stored_values(bone, quantity, keys), bytes);
     }
 
     const scene::Bones& skeleton_;
     LawTable& laws_;
-    ClockedBeats common_;
+    DrivenKeyTimes common_;
 };
 
 }

@@ -18,7 +18,7 @@ std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
 
 std::uint32_t rate_code(std::uint32_t rate) { return rate % 1000 == 0 ? rate / 1000 * 2 : rate * 2 + 1; }
 
-bool has_usual_camera(const scene::Scene& scene) { return scene.camera == usual_camera(scene.canvas); }
+bool has_default_camera(const scene::Scene& scene) { return scene.camera == default_camera(scene.canvas); }
 
 bool is_opaque(const Colour& colour) { return colour.opacity == 255; }
 
@@ -46,14 +46,14 @@ void write_header(const scene::Scene& scene, const Sections& sections, ByteWrite
     bytes.varint(nothing.bytes);
     bytes.varint(nothing.borders);
     bytes.varint(nothing.cache_bytes);
-    bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_usual_camera(scene), 2) |
+    bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_default_camera(scene), 2) |
              flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
              flag(sections.symbols, 6) | flag(sections.inputs, 7));
     bytes.varint(time_code(scene.length));
     bytes.varint(rate_code(scene.frame_rate));
     bytes.varint(static_cast<std::uint32_t>(scene.canvas.width));
     bytes.varint(static_cast<std::uint32_t>(scene.canvas.height));
-    if (!has_usual_camera(scene))
+    if (!has_default_camera(scene))
         bytes.varint(static_cast<std::uint32_t>(scene.camera));
     write_palette(scene.palette, with_opacity, bytes);
 }

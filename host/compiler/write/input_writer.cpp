@@ -31,16 +31,16 @@ void write_glyphs(const std::u32string& glyphs, ByteWriter& bytes)
 
 void write_text(const scene::TextInput& text, ByteWriter& bytes)
 {
-    bytes.u8(text.most);
+    bytes.u8(text.max);
     write_glyphs(text.glyphs, bytes);
-    bytes.u8(static_cast<std::uint32_t>(text.usual.size()));
-    for (const char32_t character : text.usual)
+    bytes.u8(static_cast<std::uint32_t>(text.default_value.size()));
+    for (const char32_t character : text.default_value)
         bytes.u8(static_cast<std::uint32_t>(text.glyphs.find(character)));
 }
 
 void write_number(const scene::Input& input, ByteWriter& bytes)
 {
-    for (const std::int32_t value : {input.least, input.most, input.usual})
+    for (const std::int32_t value : {input.min, input.max, input.default_value})
         bytes.signed_varint(value);
 }
 
@@ -48,7 +48,7 @@ void write_drawing(const scene::DrawingInput& drawing, DrawingPool& drawings, By
 {
     bytes.varint(static_cast<std::uint32_t>(drawing.strokes));
     bytes.varint(static_cast<std::uint32_t>(drawing.points));
-    bytes.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing.usual)));
+    bytes.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing.default_value)));
 }
 
 }

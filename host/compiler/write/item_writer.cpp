@@ -19,7 +19,7 @@ std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
 
 /// What of an item comes from outside.
 struct Live {
-    LiveKind kind;
+    InputLeaf kind;
     std::size_t input; ///< index into Scene::inputs
 };
 
@@ -27,9 +27,9 @@ std::optional<Live> live_of(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
     if (object != nullptr && object->live)
-        return Live{LiveKind::drawing, *object->live};
+        return Live{InputLeaf::drawing, *object->live};
     if (object != nullptr && object->label)
-        return Live{LiveKind::label, object->label->input};
+        return Live{InputLeaf::label, object->label->input};
     return std::nullopt;
 }
 

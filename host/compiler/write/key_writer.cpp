@@ -3,7 +3,7 @@
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/carry/carried_ways.hpp"
 #include "host/compiler/match/match_by_length.hpp"
-#include "host/compiler/pack/beat_writer.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 
 #include <algorithm>
@@ -66,12 +66,12 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
 {
     const bool with_arrivals = has_arrivals(object);
     const KeyWays ways = key_ways(object, diagnostics);
-    Beats beats;
+    KeyTimes key_times;
     std::vector<std::int32_t> from;
     std::vector<std::int32_t> to;
     std::vector<std::int32_t> depths;
     for (const KeyWay& way : ways.ways) {
-        beats.push_back({way.time, laws.number_of(way.laws, way.place)});
+        key_times.push_back({way.time, laws.number_of(way.laws, way.place)});
         from.push_back(drawings.offset_of(way.ends.from));
         if (with_arrivals)
             to.push_back(drawings.offset_of(way.ends.to));
@@ -82,7 +82,7 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
         depths.push_back(drawings.offset_of(key.depths));
     }
     ByteWriter bytes;
-    write_beats({beats, object.clock}, one_beat, bytes);
+    write_key_times({key_times, object.driver}, one_key_time, bytes);
     write_values(from, bytes);
     if (with_arrivals)
         write_values(to, bytes);

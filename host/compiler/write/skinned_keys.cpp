@@ -2,7 +2,7 @@
 
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
-#include "host/compiler/pack/beat_writer.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 
 #include <algorithm>
@@ -85,18 +85,18 @@ PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, Draw
 {
     const std::vector<SkinnedDrawing> skinned = skinned_drawings(object, diagnostics);
     PackedKeys packed;
-    Beats beats;
+    KeyTimes key_times;
     std::vector<std::int32_t> offsets;
     std::vector<std::int32_t> skins;
     for (std::size_t i = 0; i < skinned.size(); ++i) {
         const scene::Key& key = object.keys[i];
-        beats.push_back(
+        key_times.push_back(
             {key.time, laws.number_of(i + 1 == skinned.size() ? LawPair{} : key.laws, key.place)});
         offsets.push_back(drawings.offset_of(skinned[i].drawing));
         skins.push_back(number_of_skin(skinned[i], drawings));
     }
     ByteWriter bytes;
-    write_beats({beats, object.clock}, one_beat, bytes);
+    write_key_times({key_times, object.driver}, one_key_time, bytes);
     write_values(offsets, bytes);
     write_values(skins, bytes);
     packed.bytes = bytes.bytes();

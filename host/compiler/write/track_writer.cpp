@@ -52,7 +52,7 @@ std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
     return tracks;
 }
 
-void write_track(const scene::Track& track, LawTable& laws, ClockedBeats& before, ByteWriter& bytes)
+void write_track(const scene::Track& track, LawTable& laws, DrivenKeyTimes& before, ByteWriter& bytes)
 {
     const auto property = static_cast<std::uint32_t>(track.property);
     if (is_fixed(track)) {
@@ -60,10 +60,10 @@ void write_track(const scene::Track& track, LawTable& laws, ClockedBeats& before
         return bytes.signed_varint(track.keys.front().value);
     }
     bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
-    ClockedBeats beats = beats_of(track.keys, track.clock, track.is_smooth, laws);
-    write_beats(beats, before, bytes);
+    DrivenKeyTimes key_times = key_times_of(track.keys, track.driver, track.is_smooth, laws);
+    write_key_times(key_times, before, bytes);
     write_values(values_of(track.keys), bytes);
-    before = std::move(beats);
+    before = std::move(key_times);
 }
 
 const BeamStyle* beam_style_of(const scene::Item& item)
@@ -83,14 +83,15 @@ void write_beam_style(const BeamStyle& style, ByteWriter& bytes)
 
 }
 
-ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, bool is_smooth, LawTable& laws)
+DrivenKeyTimes key_times_of(const std::vector<scene::TrackKey>& keys, Driver driver, bool is_smooth,
+                            LawTable& laws)
 {
-    Beats beats;
+    KeyTimes key_times;
     for (const scene::TrackKey& key : keys) {
         const bool has_laws = !is_smooth && &key != &keys.back();
-        beats.push_back({key.time, has_laws ? laws.number_of(key.laws, key.place) : 0});
+        key_times.push_back({key.time, has_laws ? laws.number_of(key.laws, key.place) : 0});
     }
-    return {beats, clock};
+    return {key_times, driver};
 }
 
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
@@ -110,7 +111,7 @@ std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
         return {};
     ByteWriter bytes;
     bytes.u8(static_cast<std::uint32_t>(tracks.size()) | (beam != nullptr ? beam_bit : 0));
-    ClockedBeats before;
+    DrivenKeyTimes before;
     for (const scene::Track* track : tracks)
         write_track(*track, laws, before, bytes);
     if (beam != nullptr)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/compiler/pack/beat_writer.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/law_table.hpp"
 #include "host/scene/model.hpp"
 
@@ -11,7 +11,8 @@
 namespace kfast {
 
 /// When the keys of a track are on its `clock`, or of what is stored as one. Smooth ones have no laws.
-ClockedBeats beats_of(const std::vector<scene::TrackKey>& keys, Clock clock, bool is_smooth, LawTable& laws);
+DrivenKeyTimes key_times_of(const std::vector<scene::TrackKey>& keys, Driver driver, bool is_smooth,
+                            LawTable& laws);
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);
 
 /// The tracks of `item` without those that change nothing (docs/format.md, "Tracks"), beginning with their

@@ -6,12 +6,12 @@ namespace kfast::lottie {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
-Box box_around(std::span<const Spot> spots)
+Box box_around(std::span<const Vec2> spots)
 {
     Box box;
-    for (const Spot spot : spots)
+    for (const Vec2 spot : spots)
         box.include(spot);
     return box;
 }
@@ -44,7 +44,7 @@ bool is_seen(const art::Node& node, double time)
                                [&](const art::Span& span) { return span.from <= time && time < span.to; });
 }
 
-Coverage coverage_by(const art::Node& node, std::span<const Spot> polygon, const Affine& matrix, double time,
+Coverage coverage_by(const art::Node& node, std::span<const Vec2> polygon, const Affine& matrix, double time,
                      bool by_luminance)
 {
     constexpr double nearly_all = 0.999;
@@ -87,7 +87,7 @@ Coverage coverage_of(const Box& box, const art::Drawing& drawing)
     return contains(drawing, box.corners()) ? Coverage::all : Coverage::part;
 }
 
-Coverage coverage_of(std::span<const Spot> polygon, std::span<const art::Node> nodes, const Affine& matrix,
+Coverage coverage_of(std::span<const Vec2> polygon, std::span<const art::Node> nodes, const Affine& matrix,
                      double time, bool by_luminance)
 {
     // Something dark may lie over something bright.

@@ -13,7 +13,7 @@ Coverage inverted(Coverage coverage);
 Coverage coverage_of(const Box& box, const art::Drawing& drawing);
 
 /// Of a polygon by what nodes paint without being seen through; if `by_luminance`, by white without it.
-Coverage coverage_of(std::span<const scene::Spot> polygon, std::span<const art::Node> nodes,
+Coverage coverage_of(std::span<const scene::Vec2> polygon, std::span<const art::Node> nodes,
                      const art::Affine& matrix, double time, bool by_luminance);
 
 }

@@ -50,20 +50,20 @@ double dash_count(const Dashes& dashes, const Drawing& drawing, double time)
 }
 
 /// At the moments that it comes from; between them there may be a few more.
-double most_at_moments(const MovingDrawing& drawing, const Dashes& dashes)
+double max_at_moments(const MovingDrawing& drawing, const Dashes& dashes)
 {
     if (drawing.moments.empty())
         return dash_count(dashes, drawing.at(0), 0);
-    double most = 0;
+    double max = 0;
     for (const auto& [time, moment] : drawing.moments.list())
-        most = std::max(most, dash_count(dashes, drawing.at(time), time));
-    return most;
+        max = std::max(max, dash_count(dashes, drawing.at(time), time));
+    return max;
 }
 
 Drawing dashed_at(const Dashes& dashes, Drawing drawing, double time)
 {
     const auto pattern = pattern_at(dashes, time);
-    if (!pattern || dash_count(dashes, drawing, time) > most_dashes)
+    if (!pattern || dash_count(dashes, drawing, time) > max_dashes)
         return drawing;
     art::Budget of_one_moment;
     return art::dashed(drawing, pattern->lengths, pattern->offset, of_one_moment);
@@ -85,16 +85,16 @@ DashedDrawing dashed(MovingDrawing drawing, const Dashes& dashes)
     for (const art::Channel& length : dashes.lengths)
         drawing.moments.add(length);
     drawing.moments.add(dashes.offset);
-    const double most = most_at_moments(drawing, dashes);
+    const double max = max_at_moments(drawing, dashes);
     const bool is_still = drawing.moments.empty();
-    if (line_is_still && !is_still && most > most_moving_dashes) {
+    if (line_is_still && !is_still && max > max_moving_dashes) {
         drawing.moments = {};
         return {dashed(std::move(drawing), at_first(dashes)).drawing, Dashing::stand_still};
     }
-    if (most > (is_still ? most_dashes : most_moving_dashes))
+    if (max > (is_still ? max_dashes : max_moving_dashes))
         return {std::move(drawing), Dashing::none};
     drawing.changes_form = drawing.changes_form || !is_still;
-    drawing.cost = drawing.cost * measuring_cost + most * measuring_cost;
+    drawing.cost = drawing.cost * measuring_cost + max * measuring_cost;
     drawing.at = [dashes, at = std::move(drawing.at)](double time) {
         return dashed_at(dashes, at(time), time);
     };

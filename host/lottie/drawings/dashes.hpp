@@ -14,8 +14,8 @@ struct Dashes {
 };
 
 /// The most dashes of a drawing, and of one that changes or whose dashes move.
-inline constexpr int most_dashes = 1000;
-inline constexpr int most_moving_dashes = 120;
+inline constexpr int max_dashes = 1000;
+inline constexpr int max_moving_dashes = 120;
 
 /// What became of dashes.
 enum class Dashing {

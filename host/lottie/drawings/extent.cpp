@@ -8,7 +8,7 @@ namespace kfast::lottie {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double breadth = 0.01;
 
@@ -40,12 +40,12 @@ void include(Box& box, const art::Figure& figure, double time, const Affine& mat
     box.include({drawn.right + half, drawn.bottom + half});
 }
 
-std::vector<Spot> flattened(const scene::Outline& outline)
+std::vector<Vec2> flattened(const scene::Outline& outline)
 {
     constexpr int chords = 16;
-    std::vector<Spot> spots{outline.from};
+    std::vector<Vec2> spots{outline.from};
     for (const scene::Curve& curve : outline.curves) {
-        const Spot from = spots.back();
+        const Vec2 from = spots.back();
         for (int i = 1; i <= (curve.cubic ? chords : 1); ++i) {
             const double t = curve.cubic ? static_cast<double>(i) / chords : 1;
             const double rest = 1 - t;
@@ -57,25 +57,25 @@ std::vector<Spot> flattened(const scene::Outline& outline)
     return spots;
 }
 
-bool is_inside(std::span<const Spot> polygon, Spot spot)
+bool is_inside(std::span<const Vec2> polygon, Vec2 spot)
 {
     bool inside = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Spot a = polygon[i];
-        const Spot b = polygon[(i + 1) % polygon.size()];
+        const Vec2 a = polygon[i];
+        const Vec2 b = polygon[(i + 1) % polygon.size()];
         if ((a.y > spot.y) != (b.y > spot.y) && spot.x < a.x + (spot.y - a.y) / (b.y - a.y) * (b.x - a.x))
             inside = !inside;
     }
     return inside;
 }
 
-bool cross_each_other(Spot a, Spot b, Spot c, Spot d)
+bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
 {
-    const auto side = [](Spot from, Spot to, Spot spot) { return cross(to - from, spot - from) > 0; };
+    const auto side = [](Vec2 from, Vec2 to, Vec2 spot) { return cross(to - from, spot - from) > 0; };
     return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
 }
 
-bool meet(std::span<const Spot> one, std::span<const Spot> other)
+bool meet(std::span<const Vec2> one, std::span<const Vec2> other)
 {
     for (std::size_t i = 0; i < one.size(); ++i)
         for (std::size_t k = 0; k < other.size(); ++k)
@@ -85,13 +85,13 @@ bool meet(std::span<const Spot> one, std::span<const Spot> other)
 }
 
 /// Corners come nearer to the middle, so that outlines which are equal do not meet.
-std::vector<Spot> shrunk(std::span<const Spot> polygon)
+std::vector<Vec2> shrunk(std::span<const Vec2> polygon)
 {
-    Spot middle;
-    for (const Spot corner : polygon)
+    Vec2 middle;
+    for (const Vec2 corner : polygon)
         middle = middle + 1.0 / static_cast<double>(polygon.size()) * corner;
-    std::vector<Spot> result;
-    for (const Spot corner : polygon) {
+    std::vector<Vec2> result;
+    for (const Vec2 corner : polygon) {
         const double away = distance(middle, corner);
         result.push_back(away > breadth ? corner + breadth / away * (middle - corner) : middle);
     }
@@ -100,7 +100,7 @@ std::vector<Spot> shrunk(std::span<const Spot> polygon)
 
 }
 
-void Box::include(Spot spot)
+void Box::include(Vec2 spot)
 {
     left = std::min(left, spot.x);
     top = std::min(top, spot.y);
@@ -120,7 +120,7 @@ bool Box::touches(const Box& other) const
            other.top < bottom;
 }
 
-std::vector<Spot> Box::corners() const
+std::vector<Vec2> Box::corners() const
 {
     return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
@@ -145,13 +145,13 @@ Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix)
     return box;
 }
 
-bool contains(const art::Drawing& drawing, std::span<const Spot> polygon)
+bool contains(const art::Drawing& drawing, std::span<const Vec2> polygon)
 {
     if (drawing.outlines.size() != 1)
         return false;
-    const std::vector<Spot> outline = flattened(drawing.outlines.front());
-    const std::vector<Spot> inner = shrunk(polygon);
-    return std::ranges::all_of(inner, [&](Spot corner) { return is_inside(outline, corner); }) &&
+    const std::vector<Vec2> outline = flattened(drawing.outlines.front());
+    const std::vector<Vec2> inner = shrunk(polygon);
+    return std::ranges::all_of(inner, [&](Vec2 corner) { return is_inside(outline, corner); }) &&
            !meet(outline, inner);
 }
 
@@ -179,10 +179,10 @@ std::size_t weight(std::span<const art::Node> nodes)
 
 std::vector<double> sample_times(const art::Span& span, std::size_t weight, art::Budget& budget)
 {
-    constexpr double most_evaluated = 1e6;
-    constexpr double most_samples = 120;
+    constexpr double max_evaluated = 1e6;
+    constexpr double max_samples = 120;
     const double length = span.to - span.from;
-    const double affordable = std::clamp(most_evaluated / static_cast<double>(weight + 1), 2.0, most_samples);
+    const double affordable = std::clamp(max_evaluated / static_cast<double>(weight + 1), 2.0, max_samples);
     const double count = std::max(1.0, std::min(std::ceil(length), affordable));
     budget.take_computed_points(weight * static_cast<std::size_t>(count + 1));
     std::vector<double> times;

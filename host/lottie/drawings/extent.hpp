@@ -19,18 +19,18 @@ struct Box {
     double bottom = -std::numeric_limits<double>::infinity();
 
     bool empty() const { return !(left < right && top < bottom); }
-    void include(scene::Spot spot);
+    void include(scene::Vec2 spot);
     /// Leaves a breadth of 1/100 px aside.
     bool lies_within(const Box& other) const;
     bool touches(const Box& other) const;
-    std::vector<scene::Spot> corners() const;
+    std::vector<scene::Vec2> corners() const;
 };
 
 /// Around all control points and widths of lines that are seen at the time, in the coordinates of `matrix`.
 Box box_at(std::span<const art::Node> nodes, double time, const art::Affine& matrix = {});
 
 /// Whether the polygon or curve contains the whole of a convex polygon, such as a box that has been turned.
-bool contains(const art::Drawing& drawing, std::span<const scene::Spot> polygon);
+bool contains(const art::Drawing& drawing, std::span<const scene::Vec2> polygon);
 
 /// How many points have to be computed to know how nodes, or a transform, are at a moment; at least one for
 /// each.

@@ -13,7 +13,7 @@ namespace {
 using art::Drawing;
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 std::size_t point_count(const Drawing& drawing)
 {
@@ -23,7 +23,7 @@ std::size_t point_count(const Drawing& drawing)
     return count;
 }
 
-double apart(Spot left_from, const Curve& left, Spot right_from, const Curve& right)
+double apart(Vec2 left_from, const Curve& left, Vec2 right_from, const Curve& right)
 {
     if (!left.cubic && !right.cubic)
         return scene::distance(left.to, right.to);
@@ -37,8 +37,8 @@ bool are_near(const Outline& left, const Outline& right, double tolerance)
 {
     if (scene::distance(left.from, right.from) > tolerance)
         return false;
-    Spot left_from = left.from;
-    Spot right_from = right.from;
+    Vec2 left_from = left.from;
+    Vec2 right_from = right.from;
     for (std::size_t i = 0; i < left.curves.size(); ++i) {
         if (apart(left_from, left.curves[i], right_from, right.curves[i]) > tolerance)
             return false;

@@ -12,10 +12,10 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Between two parameters, with where it begins.
-std::pair<Spot, Curve> part(Spot from, const Curve& curve, double first, double last)
+std::pair<Vec2, Curve> part(Vec2 from, const Curve& curve, double first, double last)
 {
     if (first <= 0 && last >= 1)
         return {from, curve};
@@ -32,7 +32,7 @@ constexpr double shortest_piece = 0.1;
 
 MeasuredOutline::MeasuredOutline(const Outline& outline) : closed_{outline.closed}
 {
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     double length = 0;
     const auto add = [&](const Curve& curve) {
         segments_.push_back({from, curve});
@@ -53,12 +53,12 @@ double MeasuredOutline::parameter(std::size_t index, double length) const
 Outline MeasuredOutline::piece(Stretch stretch) const
 {
     Outline outline;
-    const double least = std::min(shortest_piece, length() / 1000);
+    const double min = std::min(shortest_piece, length() / 1000);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const double from = std::max(stretch.from, begin_of(i));
         const double to = std::min(stretch.to, ends_[i]);
         const bool is_whole = from == begin_of(i) && to == ends_[i];
-        if (to <= from || (!is_whole && to - from < least))
+        if (to <= from || (!is_whole && to - from < min))
             continue;
         const auto [begin, curve] =
             part(segments_[i].from, segments_[i].curve, parameter(i, from), parameter(i, to));

@@ -31,7 +31,7 @@ public:
 
 private:
     struct Segment {
-        scene::Spot from;
+        scene::Vec2 from;
         scene::Curve curve;
     };
     double begin_of(std::size_t index) const { return index == 0 ? 0 : ends_[index - 1]; }

@@ -17,8 +17,8 @@ void Moments::add(const Moments& others)
 void Moments::add(Moment& moment, const art::Ease& ease)
 {
     // Beyond a few, none governs everything: it is baked.
-    constexpr std::size_t most_tried = 4;
-    if (moment.eases.size() < most_tried && std::ranges::find(moment.eases, ease) == moment.eases.end())
+    constexpr std::size_t max_tried = 4;
+    if (moment.eases.size() < max_tried && std::ranges::find(moment.eases, ease) == moment.eases.end())
         moment.eases.push_back(ease);
 }
 

@@ -7,11 +7,11 @@
 namespace kfast::lottie {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 struct Tip {
-    Spot at;
-    Spot handle; ///< from `at` onwards; that of the way to it is the opposite
+    Vec2 at;
+    Vec2 handle; ///< from `at` onwards; that of the way to it is the opposite
 };
 
 Tip tip(const Polystar& star, int index)
@@ -19,9 +19,9 @@ Tip tip(const Polystar& star, int index)
     const int count = star.inner ? 2 * star.tips : star.tips;
     const Ring& ring = star.inner && index % 2 != 0 ? *star.inner : star.outer;
     const double way = star.counterclockwise ? -1 : 1;
-    const Spot direction = scene::on_unit_circle(star.turn - 90 + way * 360.0 * (index % count) / count);
+    const Vec2 direction = scene::on_unit_circle(star.turn - 90 + way * 360.0 * (index % count) / count);
     const double length = ring.roundness * std::numbers::pi * ring.radius / 2 / star.tips;
-    return {star.centre + ring.radius * direction, way * length * Spot{-direction.y, direction.x}};
+    return {star.centre + ring.radius * direction, way * length * Vec2{-direction.y, direction.x}};
 }
 
 }

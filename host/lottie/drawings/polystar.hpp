@@ -14,7 +14,7 @@ struct Ring {
 
 /// A star or a polygon of Lottie at one moment.
 struct Polystar {
-    scene::Spot centre;
+    scene::Vec2 centre;
     int tips = 0; ///< or corners
     Ring outer;
     std::optional<Ring> inner; ///< of a star

@@ -9,16 +9,16 @@ namespace kfast::lottie {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Where curves meet, with the control points on both sides.
 struct Vertex {
-    Spot in;
-    Spot at;
-    Spot out;
+    Vec2 in;
+    Vec2 at;
+    Vec2 out;
 };
 
-bool is_same(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+bool is_same(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
 bool is_corner(const Vertex& vertex)
 {
@@ -58,13 +58,13 @@ Outline outline_of(const std::vector<Vertex>& vertices, bool closed)
 }
 
 /// From the corner along a side; the control point is where a cubic comes nearest to an arc.
-Vertex towards(Spot corner, Spot neighbour, double radius, bool arc_follows)
+Vertex towards(Vec2 corner, Vec2 neighbour, double radius, bool arc_follows)
 {
     constexpr double handle = 0.552284749830793398;
     const double side = scene::distance(corner, neighbour);
     const double reach = std::min(radius, side / 2);
-    const Spot at = side > 0 ? corner + reach / side * (neighbour - corner) : corner;
-    const Spot control = at + handle * (corner - at);
+    const Vec2 at = side > 0 ? corner + reach / side * (neighbour - corner) : corner;
+    const Vec2 control = at + handle * (corner - at);
     return arc_follows ? Vertex{at, at, control} : Vertex{control, at, at};
 }
 

@@ -11,10 +11,10 @@ namespace {
 constexpr double nearly = 0.01;
 
 /// Of what always has the same value; nothing of others.
-std::optional<double> still(const Json& ks, const char* name, std::size_t index, double usual,
+std::optional<double> still(const Json& ks, const char* name, std::size_t index, double default_value,
                             Animation& animation)
 {
-    return steady_value(read_channel(ks, name, index, usual, 1, {}, animation.budget));
+    return steady_value(read_channel(ks, name, index, default_value, 1, {}, animation.budget));
 }
 
 bool is_at(const Json& ks, const char* name, std::size_t index, double value, Animation& animation)

@@ -20,8 +20,8 @@ Coverage coverage_at(double time, std::span<const art::Node> nodes, const Layer&
     const auto source_matrix = canvas_matrix(&source.layer.around, time);
     if (!matrix || !source_matrix)
         return Coverage::part;
-    std::vector<scene::Spot> corners = box_at(nodes, time).corners();
-    for (scene::Spot& corner : corners)
+    std::vector<scene::Vec2> corners = box_at(nodes, time).corners();
+    for (scene::Vec2& corner : corners)
         corner = matrix->of(corner);
     const bool by_luminance = mode == MatteMode::luminance || mode == MatteMode::inverted_luminance;
     const bool is_inverted = mode == MatteMode::inverted_alpha || mode == MatteMode::inverted_luminance;

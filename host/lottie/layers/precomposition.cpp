@@ -127,7 +127,7 @@ Box seen_part(Box box, const Layer& layer, double time, const Animation& animati
     if (!back || box.empty())
         return box;
     Box canvas;
-    for (const scene::Spot corner : Box{0, 0, animation.width, animation.height}.corners())
+    for (const scene::Vec2 corner : Box{0, 0, animation.width, animation.height}.corners())
         canvas.include(back->of(corner));
     return {std::max(box.left, canvas.left), std::max(box.top, canvas.top), std::min(box.right, canvas.right),
             std::min(box.bottom, canvas.bottom)};

@@ -17,16 +17,16 @@ namespace {
 using art::Affine;
 using art::ConvexPolygon;
 using art::Drawing;
-using scene::Spot;
+using scene::Vec2;
 
 /// The transforms around a figure, the outermost first.
 using Way = std::vector<art::Transform>;
 
 bool is_upright_rectangle(const ConvexPolygon& polygon)
 {
-    const std::vector<Spot>& corners = polygon.corners();
+    const std::vector<Vec2>& corners = polygon.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Spot side = corners[(i + 1) % corners.size()] - corners[i];
+        const Vec2 side = corners[(i + 1) % corners.size()] - corners[i];
         if (side.x != 0 && side.y != 0)
             return false;
     }
@@ -57,9 +57,9 @@ Drawing mapped(const Affine& affine, Drawing drawing)
     return drawing;
 }
 
-std::vector<Spot> points_of(const Drawing& drawing)
+std::vector<Vec2> points_of(const Drawing& drawing)
 {
-    std::vector<Spot> points;
+    std::vector<Vec2> points;
     for (const scene::Outline& outline : drawing.outlines) {
         points.push_back(outline.from);
         for (const scene::Curve& curve : outline.curves) {
@@ -152,7 +152,7 @@ private:
     Coverage coverage_at(const art::Figure& figure, double time) const
     {
         const Affine matrix = matrix_of(way_, time);
-        const std::vector<Spot> points = points_of(mapped(matrix, figure.drawing.at(time)));
+        const std::vector<Vec2> points = points_of(mapped(matrix, figure.drawing.at(time)));
         const double growth = std::sqrt(std::abs(matrix.determinant()));
         const double half = figure.line ? figure.line->width.at(time) * growth / 2 : 0;
         const Drawing window = window_.drawing.at(time);
@@ -162,9 +162,9 @@ private:
             return polygon->contains(points, half) ? Coverage::all : Coverage::part;
         }
         Box box;
-        for (const Spot point : points) {
-            box.include(point - Spot{half, half});
-            box.include(point + Spot{half, half});
+        for (const Vec2 point : points) {
+            box.include(point - Vec2{half, half});
+            box.include(point + Vec2{half, half});
         }
         return lottie::coverage_of(box, window);
     }
@@ -193,25 +193,25 @@ private:
     bool is_affordable(const MovingDrawing& drawing)
     {
         constexpr double looks_per_frame = 40;
-        constexpr double most_computed = 1 << 23;
+        constexpr double max_computed = 1 << 23;
         if (drawing.moments.empty())
             return true;
         if (moving_ == Moving::stays || is_too_much_)
             return false;
         const double frames = drawing.moments.list().rbegin()->first - drawing.moments.list().begin()->first;
         computed_ += drawing.cost * looks_per_frame * frames;
-        is_too_much_ = computed_ > most_computed ||
-                       budget_.computed_points_left() < art::Budget::most_computed_points / 4 * 3;
+        is_too_much_ = computed_ > max_computed ||
+                       budget_.computed_points_left() < art::Budget::max_computed_points / 4 * 3;
         return !is_too_much_;
     }
 
     void count_points(const art::Animated<Drawing>& drawing)
     {
-        constexpr std::size_t most_points = 1 << 15;
+        constexpr std::size_t max_points = 1 << 15;
         if (!drawing.is_still())
             for (const auto& key : drawing.keys)
                 points_ += points_of(key.value).size();
-        is_too_much_ = is_too_much_ || points_ > most_points;
+        is_too_much_ = is_too_much_ || points_ > max_points;
     }
 
     static constexpr double cost_of_cutting = 8;

@@ -106,8 +106,8 @@ MeanColour read_mean_colour(const Json& style, const Reading& reading)
         read_animated<Numbers>(read_property(*gradient, "k"), 0, numbers_of, reading.time, reading.budget)
             .value_or(art::Animated<Numbers>{});
     const std::size_t whole_colours = numbers.value().list.size() / 4;
-    const auto most = static_cast<double>(whole_colours);
-    const double count = std::clamp(number_at(*gradient, "p", most), 0.0, 65536.0);
+    const auto max = static_cast<double>(whole_colours);
+    const double count = std::clamp(number_at(*gradient, "p", max), 0.0, 65536.0);
     art::Animated<Mean> means;
     means.keys.clear();
     for (const auto& key : numbers.keys)

@@ -179,7 +179,7 @@ private:
     {
         DashedDrawing result = dashed(std::move(line), dashes);
         if (result.dashing == Dashing::stand_still)
-            reading_.losses.add({"more than " + std::to_string(most_moving_dashes) + " moving dashes",
+            reading_.losses.add({"more than " + std::to_string(max_moving_dashes) + " moving dashes",
                                  reading_.layer, std::nullopt, "dashes that stand still"});
         if (result.dashing == Dashing::none)
             reading_.losses.add({"too many dashes", reading_.layer, std::nullopt, "a whole line"});

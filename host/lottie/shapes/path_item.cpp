@@ -20,7 +20,7 @@ namespace {
 
 using art::Channel;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// Of "d".
 constexpr int counterclockwise = 3;
@@ -57,10 +57,10 @@ MovingDrawing moving(std::initializer_list<const Channel*> channels,
 }
 
 /// Whether it leads from one end to the other without a bend or a way back, so that its length says where.
-bool is_straight(Spot from, const scene::Curve& curve)
+bool is_straight(Vec2 from, const scene::Curve& curve)
 {
-    const Spot way = curve.to - from;
-    const auto lies_on_way = [&](Spot spot) {
+    const Vec2 way = curve.to - from;
+    const auto lies_on_way = [&](Vec2 spot) {
         const double along = dot(way, spot - from);
         return cross(way, spot - from) == 0 && along >= 0 && along <= dot(way, way);
     };
@@ -69,7 +69,7 @@ bool is_straight(Spot from, const scene::Curve& curve)
 
 bool is_straight(const Outline& path)
 {
-    Spot from = path.from;
+    Vec2 from = path.from;
     return std::ranges::all_of(path.curves, [&](const scene::Curve& curve) {
         return is_straight(std::exchange(from, curve.to), curve);
     });
@@ -92,7 +92,7 @@ art::PlaceChannels read_place(const Json& item, const Reading& reading)
     return art::baked_place(
         [&](double time) {
             const art::Affine affine = art::matrix_at(transform, time);
-            return Spot{affine.e, affine.f};
+            return Vec2{affine.e, affine.f};
         },
         baking);
 }
@@ -112,7 +112,7 @@ Box read_box(const Json& item, const Reading& reading)
 }
 
 /// Beginning at twelve o'clock instead of three.
-Outline ellipse_from_top(Spot centre, double radius_x, double radius_y)
+Outline ellipse_from_top(Vec2 centre, double radius_x, double radius_y)
 {
     Outline outline = scene::ellipse(centre, radius_x, radius_y);
     outline.from = outline.curves[2].to;
@@ -135,7 +135,7 @@ void read_ellipse(PathItem& result, const Json& item, bool is_reversed, const Re
 }
 
 struct Rectangle {
-    Spot centre;
+    Vec2 centre;
     double width = 0;
     double height = 0;
     double corner = 0;
@@ -155,7 +155,7 @@ Rectangle rectangle_at(const Box& box, const Channel& corner, double time)
 Outline outline_of(const Rectangle& rectangle, bool is_round)
 {
     constexpr double hardly_round = 1e-9;
-    const Spot half{rectangle.width / 2, rectangle.height / 2};
+    const Vec2 half{rectangle.width / 2, rectangle.height / 2};
     return scene::rectangle(rectangle.centre - half, rectangle.width, rectangle.height,
                             is_round ? std::max(rectangle.corner, hardly_round) : 0);
 }
@@ -209,11 +209,11 @@ struct StarChannels {
     }
 };
 
-constexpr double most_tips = 1000;
+constexpr double max_tips = 1000;
 
 Outline star_at(const StarChannels& star, double time)
 {
-    const double tips = std::floor(std::clamp(star.tips.at(time), 0.0, most_tips) + 1e-9);
+    const double tips = std::floor(std::clamp(star.tips.at(time), 0.0, max_tips) + 1e-9);
     Polystar now{{star.x.at(time), star.y.at(time)},
                  static_cast<int>(tips),
                  {star.outer.at(time), star.outer_roundness.at(time)},
@@ -227,7 +227,7 @@ Outline star_at(const StarChannels& star, double time)
 
 void report_tips(const StarChannels& star, const Reading& reading)
 {
-    if (std::ranges::any_of(star.tips.keys, [](const auto& key) { return key.value > most_tips; }))
+    if (std::ranges::any_of(star.tips.keys, [](const auto& key) { return key.value > max_tips; }))
         reading.losses.add({"star of more than 1000 points", reading.layer, std::nullopt, "a star of 1000"});
 }
 
@@ -251,7 +251,7 @@ void read_star(PathItem& result, const Json& item, bool is_reversed, const Readi
                             [star](double time) { return star_at(star, time); });
     result.drawing.changes_form = !star.tips.is_still();
     for (const auto& key : star.tips.keys)
-        result.drawing.cost = std::max(result.drawing.cost, 4 * std::min(key.value, most_tips));
+        result.drawing.cost = std::max(result.drawing.cost, 4 * std::min(key.value, max_tips));
 }
 
 void read_own_path(PathItem& result, const Json& item, bool, const Reading& reading)

@@ -8,12 +8,12 @@
 namespace kfast::lottie {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
-bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+bool equal(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
 /// Of a value or a tangent; what is missing is 0.
-Spot spot_of(const Json* value)
+Vec2 spot_of(const Json* value)
 {
     if (!value)
         return {};
@@ -22,7 +22,7 @@ Spot spot_of(const Json* value)
     return {value->empty() ? 0 : number_of((*value)[0]), value->size() < 2 ? 0 : number_of((*value)[1])};
 }
 
-Spot tangent(const FileKey& key, const char* name) { return spot_of(find_member(*key.key, name)); }
+Vec2 tangent(const FileKey& key, const char* name) { return spot_of(find_member(*key.key, name)); }
 
 bool is_bent(const std::vector<FileKey>& keys)
 {
@@ -34,14 +34,14 @@ bool is_bent(const std::vector<FileKey>& keys)
 /// Grows by the ways between keys, and by a line wherever the position jumps.
 class GrowingPath {
 public:
-    explicit GrowingPath(Spot from) : outline_{from, {}, false} {}
+    explicit GrowingPath(Vec2 from) : outline_{from, {}, false} {}
 
     double length() const { return length_; }
     const scene::Outline& outline() const { return outline_; }
 
     void add(const scene::Curve& curve)
     {
-        const Spot end = outline_.curves.empty() ? outline_.from : outline_.curves.back().to;
+        const Vec2 end = outline_.curves.empty() ? outline_.from : outline_.curves.back().to;
         const double length = art::curve_length(end, curve);
         if (length == 0)
             return;
@@ -54,10 +54,10 @@ private:
     double length_ = 0;
 };
 
-scene::Curve curve_from(const FileKey& key, Spot end)
+scene::Curve curve_from(const FileKey& key, Vec2 end)
 {
-    const Spot out = tangent(key, "to");
-    const Spot in = tangent(key, "ti");
+    const Vec2 out = tangent(key, "to");
+    const Vec2 in = tangent(key, "ti");
     if (equal(out, {}) && equal(in, {}))
         return scene::line_to(end);
     return scene::cubic_to(spot_of(key.begin) + out, end + in, end);

@@ -40,8 +40,8 @@ Repeater read_repeater(const Json& item, const Reading& reading)
     static const Json none = Json::object();
     const Json* const found = find_member(item, "tr");
     const Json& step = found ? *found : none;
-    const auto channel = [&](const Json& owner, const char* name, double usual, double factor) {
-        return read_channel(owner, name, 0, usual, factor, reading.time, reading.budget);
+    const auto channel = [&](const Json& owner, const char* name, double default_value, double factor) {
+        return read_channel(owner, name, 0, default_value, factor, reading.time, reading.budget);
     };
     return {channel(item, "c", 1, 1),     channel(item, "o", 0, 1),     read_transform(step, reading),
             channel(step, "so", 1, 0.01), channel(step, "eo", 1, 0.01), whole_at(item, "m", 1) == 1};
@@ -54,12 +54,12 @@ double copies_at(const Channel& copies, double time)
 }
 
 /// Of one that swings beyond its keys, at most so much is seen.
-double most_copies(const Channel& copies)
+double max_copies(const Channel& copies)
 {
-    double most = 0;
+    double max = 0;
     for (const auto& key : copies.keys)
-        most = std::max(most, copies_at(copies, key.time));
-    return most;
+        max = std::max(max, copies_at(copies, key.time));
+    return max;
 }
 
 /// When there are more copies than `index`.
@@ -198,7 +198,7 @@ std::vector<ShapeItem> repeated(const std::vector<ShapeItem>& items, const Json&
         return {};
     const Repeater repeater = read_repeater(item, reading);
     report_what_is_not_repeated(repeater, reading);
-    const double count = most_copies(repeater.copies);
+    const double count = max_copies(repeater.copies);
     std::vector<ShapeItem> copies;
     for (double index = 0; index < count; ++index) {
         take_nodes(items, reading.budget);

@@ -24,8 +24,8 @@ void report(const Reading& reading, std::string feature, std::string instead)
 
 Trim read_trim(const Json& item, const Reading& reading)
 {
-    const auto channel = [&](const char* name, double usual, double factor) {
-        return read_channel(item, name, 0, usual, factor, reading.time, reading.budget);
+    const auto channel = [&](const char* name, double default_value, double factor) {
+        return read_channel(item, name, 0, default_value, factor, reading.time, reading.budget);
     };
     constexpr int one_after_another = 2;
     return {channel("s", 0, 0.01), channel("e", 1, 0.01), channel("o", 0, 1.0 / 360),
@@ -70,8 +70,8 @@ public:
 
 private:
     /// Each puts all before it into groups.
-    static constexpr int most_repeaters = 8;
-    static constexpr int most_modifiers = 64;
+    static constexpr int max_repeaters = 8;
+    static constexpr int max_modifiers = 64;
 
     void report_blend_mode(const Json& item) const
     {
@@ -99,7 +99,7 @@ private:
     {
         std::vector<MovingDrawing*> drawings;
         for (PathItem* path : paths_of(items_)) {
-            if (++path->modifiers > most_modifiers)
+            if (++path->modifiers > max_modifiers)
                 throw WrongMember(item, "is the 65th that changes one path: take some of them away");
             path->plain.reset();
             drawings.push_back(&path->drawing);
@@ -116,7 +116,7 @@ private:
 
     void repeat(const Json& item)
     {
-        if (++repeaters_ > most_repeaters)
+        if (++repeaters_ > max_repeaters)
             throw WrongMember(item, "is the ninth repeater of one list: put some of the shapes into a group");
         items_ = repeated(items_, item, reading_);
     }

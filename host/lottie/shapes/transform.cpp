@@ -12,10 +12,10 @@ using art::Channel;
 
 constexpr double percent = 0.01;
 
-Channel channel(const Json& owner, const char* name, std::size_t index, double usual, double factor,
+Channel channel(const Json& owner, const char* name, std::size_t index, double default_value, double factor,
                 const Reading& reading)
 {
-    return read_channel(owner, name, index, usual, factor, reading.time, reading.budget);
+    return read_channel(owner, name, index, default_value, factor, reading.time, reading.budget);
 }
 
 bool is_zero(const Channel& number) { return steady_value(number) == 0.0; }

@@ -9,11 +9,11 @@ namespace kfast::lottie {
 namespace {
 
 /// A number alone stands for all components.
-double component(const Json& value, std::size_t index, double usual)
+double component(const Json& value, std::size_t index, double default_value)
 {
     if (!value.is_array())
         return number_of(value);
-    return index < value.size() ? number_of(value[index]) : usual;
+    return index < value.size() ? number_of(value[index]) : default_value;
 }
 
 bool counts_to_255(const Json& colour)
@@ -45,12 +45,14 @@ art::Rgb colour_of(const Json& value, double unit)
 
 }
 
-art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double usual, double factor,
-                          const LayerTime& time, art::Budget& budget)
+art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double default_value,
+                          double factor, const LayerTime& time, art::Budget& budget)
 {
-    const auto value_of = [&](const Json& value) { return component(value, index, usual / factor) * factor; };
+    const auto value_of = [&](const Json& value) {
+        return component(value, index, default_value / factor) * factor;
+    };
     return read_animated<double>(read_property(owner, name), index, value_of, time, budget)
-        .value_or(art::Channel{usual});
+        .value_or(art::Channel{default_value});
 }
 
 art::Animated<art::Rgb> read_colour(const Json& owner, const char* name, const LayerTime& time,

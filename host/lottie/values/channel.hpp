@@ -22,8 +22,8 @@ struct LayerTime {
 /// eases that differ from one component to the next, each takes its own. A negative stretch turns the keys
 /// round. `factor` multiplies the values (percent: 0.01). A property that is missing is `usual`; one of
 /// another kind throws Failure.
-art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double usual, double factor,
-                          const LayerTime& time, art::Budget& budget);
+art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double default_value,
+                          double factor, const LayerTime& time, art::Budget& budget);
 
 art::Animated<art::Rgb> read_colour(const Json& owner, const char* name, const LayerTime& time,
                                     art::Budget& budget);

@@ -34,9 +34,9 @@ art::Channel combined(const std::function<double(double)>& value_at,
             baking.critical.push_back(key.time);
         }
     constexpr double asked_each_frame = 4;
-    constexpr double most_asked = 1 << 27;
+    constexpr double max_asked = 1 << 27;
     budget.take_computed_points(
-        static_cast<std::size_t>(std::min(asked_each_frame * (baking.to - baking.from), most_asked)));
+        static_cast<std::size_t>(std::min(asked_each_frame * (baking.to - baking.from), max_asked)));
     return art::baked_channel(value_at, baking);
 }
 

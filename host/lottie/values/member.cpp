@@ -48,19 +48,19 @@ double number_of(const Json& value)
     return number;
 }
 
-double number_at(const Json& owner, const char* name, double usual)
+double number_at(const Json& owner, const char* name, double default_value)
 {
     const Json* const member = find_member(owner, name);
-    return member ? number_of(*member) : usual;
+    return member ? number_of(*member) : default_value;
 }
 
 double number_at(const Json& owner, const char* name) { return number_of(needed(owner, name)); }
 
-bool truth_at(const Json& owner, const char* name, bool usual)
+bool truth_at(const Json& owner, const char* name, bool default_value)
 {
     const Json* const member = find_member(owner, name);
     if (!member)
-        return usual;
+        return default_value;
     return member->is_boolean() ? member->get<bool>() : number_of(*member) != 0;
 }
 
@@ -94,9 +94,9 @@ const Json& array_at(const Json& owner, const char* name)
     return member;
 }
 
-int whole_at(const Json& owner, const char* name, int usual)
+int whole_at(const Json& owner, const char* name, int default_value)
 {
-    return static_cast<int>(number_at(owner, name, usual));
+    return static_cast<int>(number_at(owner, name, default_value));
 }
 
 }

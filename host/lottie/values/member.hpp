@@ -31,10 +31,10 @@ const Json* find_member(const Json& owner, const char* name);
 
 /// Each throws WrongMember where the value is of another kind; `usual` is what a missing member is.
 double number_of(const Json& value);
-double number_at(const Json& owner, const char* name, double usual);
+double number_at(const Json& owner, const char* name, double default_value);
 double number_at(const Json& owner, const char* name);
 /// Also 0 and 1 in place of a truth.
-bool truth_at(const Json& owner, const char* name, bool usual);
+bool truth_at(const Json& owner, const char* name, bool default_value);
 std::string text_at(const Json& owner, const char* name);
 /// Empty where it is no text: what is only told to people need not be right.
 std::string name_at(const Json& owner, const char* name);
@@ -43,6 +43,6 @@ std::string identifier_at(const Json& owner, const char* name);
 const Json& array_at(const Json& owner, const char* name);
 
 /// A whole number; others are cut.
-int whole_at(const Json& owner, const char* name, int usual);
+int whole_at(const Json& owner, const char* name, int default_value);
 
 }

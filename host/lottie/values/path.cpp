@@ -5,9 +5,9 @@
 namespace kfast::lottie {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
-Spot spot_of(const Json& value)
+Vec2 spot_of(const Json& value)
 {
     if (!value.is_array() || value.size() < 2)
         throw WrongMember(value, "is no point: one is a list of x and y");
@@ -15,13 +15,13 @@ Spot spot_of(const Json& value)
 }
 
 /// Tangents that are missing have no length.
-Spot tangent_of(const Json* tangents, std::size_t index)
+Vec2 tangent_of(const Json* tangents, std::size_t index)
 {
     return tangents && tangents->is_array() && index < tangents->size() ? spot_of((*tangents)[index])
-                                                                        : Spot{};
+                                                                        : Vec2{};
 }
 
-bool is_zero(Spot spot) { return spot.x == 0 && spot.y == 0; }
+bool is_zero(Vec2 spot) { return spot.x == 0 && spot.y == 0; }
 
 /// In keys, paths stand in a list of one.
 const Json& path_itself(const Json& value)
@@ -43,10 +43,10 @@ art::Drawing drawing_of(const Json& value, bool usually_closed, art::Budget& bud
     const Json* const in = find_member(path, "i");
     const Json* const out = find_member(path, "o");
     scene::Outline outline{spot_of(vertices[0]), {}, truth_at(path, "c", usually_closed)};
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     const std::size_t count = vertices.size();
     for (std::size_t i = 1; i < count + (outline.closed ? 1 : 0); ++i) {
-        const Spot to = spot_of(vertices[i % count]);
+        const Vec2 to = spot_of(vertices[i % count]);
         outline.curves.push_back(
             scene::cubic_to(from + tangent_of(out, i - 1), to + tangent_of(in, i % count), to));
         from = to;
@@ -58,21 +58,21 @@ bool is_straight(const art::Drawing& drawing, std::size_t index)
 {
     const scene::Outline& outline = drawing.outlines.front();
     const scene::Curve& curve = outline.curves[index];
-    const Spot from = index == 0 ? outline.from : outline.curves[index - 1].to;
+    const Vec2 from = index == 0 ? outline.from : outline.curves[index - 1].to;
     return is_zero(curve.c1 - from) && is_zero(curve.c2 - curve.to);
 }
 
 /// Lines are told as such. On the way from a line to a curve, tangents grow from nothing: both stay cubic.
 void straighten(art::Animated<art::Drawing>& drawings)
 {
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (const auto& key : drawings.keys)
         if (!key.value.outlines.empty())
-            most = std::max(most, key.value.outlines.front().curves.size());
+            max = std::max(max, key.value.outlines.front().curves.size());
     const auto has = [](const art::Drawing& drawing, std::size_t index) {
         return !drawing.outlines.empty() && index < drawing.outlines.front().curves.size();
     };
-    for (std::size_t i = 0; i < most; ++i)
+    for (std::size_t i = 0; i < max; ++i)
         if (std::ranges::all_of(drawings.keys, [&](const auto& key) {
                 return !has(key.value, i) || is_straight(key.value, i);
             }))

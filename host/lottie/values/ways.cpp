@@ -30,15 +30,15 @@ std::vector<FileKey> read_keys(const Json& list)
 }
 
 /// The x or the y of a handle, which is a number or one for each component.
-double handle(const Json* owner, const char* name, std::size_t index, double usual)
+double handle(const Json* owner, const char* name, std::size_t index, double default_value)
 {
     const Json* const value = owner ? find_member(*owner, name) : nullptr;
     if (!value)
-        return usual;
+        return default_value;
     if (!value->is_array())
         return number_of(*value);
     if (value->empty())
-        return usual;
+        return default_value;
     return number_of((*value)[index < value->size() ? index : 0]);
 }
 

@@ -32,7 +32,7 @@ std::string SentAreas::text(Size panel) const
 
 BoardChanges::BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit)
     : ToldPlayer{scene, board.display.size, fit}, display_{board.display},
-      band_(std::max(board.band_bytes, fit::least_band(board.display)))
+      band_(std::max(board.band_bytes, fit::min_band(board.display)))
 {
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Verdict = FitLine::Verdict;
 
-Verdict verdict(bool is_good) { return is_good ? Verdict::good : Verdict::bad; }
+Verdict verdict(bool is_valid) { return is_valid ? Verdict::good : Verdict::bad; }
 
 void add_sentences(const std::vector<std::string>& texts, Verdict verdict, std::vector<FitLine>& lines)
 {

@@ -20,7 +20,7 @@ public:
     Player& player() { return player_; }
 
     void set_input(std::uint32_t number, Time place) final { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) final
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) final
     {
         return player_.set_drawing(number, strokes);
     }

@@ -7,9 +7,9 @@
 namespace kfast {
 namespace {
 
-constexpr int gap = 3;           // between two columns
-constexpr int least_width = 28;  // of one beside another: narrower ones wrap too much to be read
-constexpr int least_to_wrap = 8; // behind the name of a key
+constexpr int gap = 3;         // between two columns
+constexpr int min_width = 28;  // of one beside another: narrower ones wrap too much to be read
+constexpr int min_to_wrap = 8; // behind the name of a key
 
 /// A row in lines of at most so many columns.
 std::vector<HelpLine> lines_of(const std::string& row, int width)
@@ -17,7 +17,7 @@ std::vector<HelpLine> lines_of(const std::string& row, int width)
     const auto key_end = std::min(row.find(' '), row.size());
     const auto text_begin = std::min(row.find_first_not_of(' ', key_end), row.size());
     const int indent = columns_of(row.substr(0, text_begin));
-    if (columns_of(row) <= width || width < indent + least_to_wrap)
+    if (columns_of(row) <= width || width < indent + min_to_wrap)
         return {
             {.text = cut(row, width), .key_columns = std::min(columns_of(row.substr(0, key_end)), width)}};
     std::vector<HelpLine> lines;
@@ -94,40 +94,40 @@ std::vector<HelpPage> balanced(std::span<const std::string> rows, int columns, i
     return HelpGrid{columns, width, height}.pages(rows);
 }
 
-void add_page_numbers(std::vector<HelpPage>& pages, Size most)
+void add_page_numbers(std::vector<HelpPage>& pages, Size max)
 {
     const std::string of = " of " + std::to_string(pages.size());
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const bool is_last = i + 1 == pages.size();
         std::string text = is_last ? "h  closes this" : "h  next page";
-        text = cut(text + ", " + std::to_string(i + 1) + of, most.width);
+        text = cut(text + ", " + std::to_string(i + 1) + of, max.width);
         Size& cells = pages[i].cells;
-        cells = {std::max(cells.width, columns_of(text)), most.height};
-        pages[i].lines.push_back({.row = most.height - 1, .text = std::move(text), .key_columns = 1});
+        cells = {std::max(cells.width, columns_of(text)), max.height};
+        pages[i].lines.push_back({.row = max.height - 1, .text = std::move(text), .key_columns = 1});
     }
 }
 
 }
 
-std::vector<HelpPage> help_pages(std::span<const std::string> rows, Size most)
+std::vector<HelpPage> help_pages(std::span<const std::string> rows, Size max)
 {
-    most = {std::max(most.width, 1), std::max(most.height, 1)};
+    max = {std::max(max.width, 1), std::max(max.height, 1)};
     int longest = 1;
     for (const std::string& row : rows)
         longest = std::max(longest, columns_of(row));
     int columns = 1;
     for (;; ++columns) {
-        auto pages = balanced(rows, columns, width_of_each(columns, most.width, longest), most.height);
+        auto pages = balanced(rows, columns, width_of_each(columns, max.width, longest), max.height);
         if (pages.size() == 1)
             return pages;
-        if (width_of_each(columns + 1, most.width, longest) < std::min(least_width, longest))
+        if (width_of_each(columns + 1, max.width, longest) < std::min(min_width, longest))
             break;
     }
     auto pages =
-        HelpGrid{columns, width_of_each(columns, most.width, longest), std::max(most.height - 1, 1)}.pages(
+        HelpGrid{columns, width_of_each(columns, max.width, longest), std::max(max.height - 1, 1)}.pages(
             rows);
-    if (most.height > 1)
-        add_page_numbers(pages, most);
+    if (max.height > 1)
+        add_page_numbers(pages, max);
     return pages;
 }
 

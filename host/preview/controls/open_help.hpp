@@ -18,9 +18,9 @@ public:
     explicit OpenHelp(std::vector<std::string> rows) : rows_{std::move(rows)} {}
 
     /// The page to be seen on a grid of so many cells.
-    HelpPage page(Size most)
+    HelpPage page(Size max)
     {
-        auto pages = help_pages(rows_, most);
+        auto pages = help_pages(rows_, max);
         count_ = pages.size();
         seen_ = std::min(seen_, count_ - 1);
         return std::move(pages[seen_]);

@@ -63,11 +63,11 @@ std::vector<std::string> arguments_of(const fs::path& program, const fs::path& f
     return {program, "--title", "Read a scene", "--getopenfilename", begin, all + " | Scenes"};
 }
 
-constexpr const char* remedy = "drop the file here, or give it on the command line";
+constexpr const char* hint = "drop the file here, or give it on the command line";
 
 [[noreturn]] void refuse(const fs::path& program, int error_number)
 {
-    throw Failure(program.string() + " cannot be started: " + std::strerror(error_number) + ": " + remedy);
+    throw Failure(program.string() + " cannot be started: " + std::strerror(error_number) + ": " + hint);
 }
 
 /// How a dialogue ended in which neither a file was chosen nor none was wanted; empty otherwise.
@@ -96,7 +96,7 @@ void FileDialogue::ask(const fs::path& folder)
     for (const char* const name : {"zenity", "kdialog"})
         if (const fs::path program = program_in_path(name); !program.empty())
             return start(program, folder);
-    throw Failure(std::string{"there is no file dialogue: install zenity or kdialog, or "} + remedy);
+    throw Failure(std::string{"there is no file dialogue: install zenity or kdialog, or "} + hint);
 }
 
 void FileDialogue::start(const fs::path& program, const fs::path& folder)
@@ -154,7 +154,7 @@ std::optional<fs::path> FileDialogue::take_answer()
     if (text_.ends_with('\n'))
         text_.pop_back();
     if (const std::string failure = failure_of(status); !failure.empty())
-        throw Failure(program_ + ' ' + failure + ": " + remedy);
+        throw Failure(program_ + ' ' + failure + ": " + hint);
     const bool was_chosen = WEXITSTATUS(status) == 0 && !text_.empty();
     return was_chosen ? std::optional{fs::path{text_}} : std::nullopt;
 }

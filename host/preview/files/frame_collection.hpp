@@ -13,7 +13,7 @@ class FrameCollection {
 public:
     /// All of one collection together; more is not wanted in the memory of a computer that has other things
     /// to do.
-    static constexpr std::size_t most_bytes = std::size_t{1} << 30;
+    static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
     explicit FrameCollection(std::vector<Time> moments);
 

@@ -8,7 +8,7 @@ namespace kfast {
 
 bool LabelPlaces::take(PanelSpot at, const std::string& text)
 {
-    if (count_ == most)
+    if (count_ == max)
         return false;
     // A text takes the cells that it touches: one more than it has letters, in two rows.
     const int column = static_cast<int>(std::floor(at.x * scale_ / Painter::letter.width));

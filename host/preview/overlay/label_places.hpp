@@ -12,7 +12,7 @@ namespace kfast {
 /// Where labels stand on a picture, so that none lies on another.
 class LabelPlaces {
 public:
-    static constexpr std::size_t most = 400;
+    static constexpr std::size_t max = 400;
 
     /// `scale` is how many pixels of a window a pixel of the panel takes.
     explicit LabelPlaces(double scale) : scale_{scale} {}

@@ -10,13 +10,13 @@ namespace {
 /// Of the points' bounding box.
 PanelSpot middle_of(const std::vector<PanelSpot>& spots)
 {
-    PanelSpot least = spots.front();
-    PanelSpot most = spots.front();
+    PanelSpot min = spots.front();
+    PanelSpot max = spots.front();
     for (const PanelSpot& spot : spots) {
-        least = {std::min(least.x, spot.x), std::min(least.y, spot.y)};
-        most = {std::max(most.x, spot.x), std::max(most.y, spot.y)};
+        min = {std::min(min.x, spot.x), std::min(min.y, spot.y)};
+        max = {std::max(max.x, spot.x), std::max(max.y, spot.y)};
     }
-    return {(least.x + most.x) / 2, (least.y + most.y) / 2};
+    return {(min.x + max.x) / 2, (min.y + max.y) / 2};
 }
 
 }
@@ -39,7 +39,7 @@ void OverlayMarks::add_bones(const SeenLeaf& leaf)
 void OverlayMarks::add_other_bones()
 {
     std::uint32_t skeleton = 0;
-    for (BonesCursor all = stage_.scene.skeletons(); !all.at_end(); ++skeleton) {
+    for (SkeletonCursor all = stage_.scene.skeletons(); !all.at_end(); ++skeleton) {
         all.skip();
         if (!carriers_.contains(skeleton))
             add_bones(skeleton, scene_.on_panel().canvas);
@@ -103,13 +103,13 @@ void OverlayMarks::add_lines(const std::vector<Point>& points, MarkKind kind)
 
 void OverlayMarks::add_line(Point from, Point to, MarkKind kind)
 {
-    if (overlay_.lines.size() < most_lines)
+    if (overlay_.lines.size() < max_lines)
         overlay_.lines.push_back({stage_.spot(from), stage_.spot(to), kind});
 }
 
 void OverlayMarks::add_dot(Point at, MarkKind kind)
 {
-    if (overlay_.dots.size() < most_dots)
+    if (overlay_.dots.size() < max_dots)
         overlay_.dots.push_back({stage_.spot(at), kind});
 }
 

@@ -19,8 +19,8 @@ namespace kfast {
 /// tell apart: what is beyond is left out.
 class OverlayMarks {
 public:
-    static constexpr std::size_t most_lines = 20'000;
-    static constexpr std::size_t most_dots = 4'000;
+    static constexpr std::size_t max_lines = 20'000;
+    static constexpr std::size_t max_dots = 4'000;
 
     OverlayMarks(const Stage& stage, const PosedScene& scene, double scale, Overlay& overlay)
         : stage_{stage}, scene_{scene}, places_{scale}, overlay_{overlay}

@@ -28,12 +28,11 @@ double distance(PanelSpot spot, PanelSpot from, PanelSpot to)
 
 double distance(const Stage& stage, PanelSpot spot, const std::vector<SeenStroke>& strokes)
 {
-    double least = near;
+    double min = near;
     for (const SeenStroke& stroke : strokes)
         for (std::size_t i = 1; i < stroke.line.size(); ++i)
-            least =
-                std::min(least, distance(spot, stage.spot(stroke.line[i - 1]), stage.spot(stroke.line[i])));
-    return least;
+            min = std::min(min, distance(spot, stage.spot(stroke.line[i - 1]), stage.spot(stroke.line[i])));
+    return min;
 }
 
 bool is_selected(const SeenLeaf& leaf, const ViewOptions& view)
@@ -96,11 +95,11 @@ std::optional<std::size_t> OverlaySource::Parts::painted_at(Time moment, PanelSp
 std::optional<std::size_t> OverlaySource::Parts::drawn_near(Time moment, PanelSpot spot)
 {
     std::optional<std::size_t> number;
-    double least = near;
+    double min = near;
     posed.visit(moment, [&](const SeenLeaf& leaf) {
         const double found = distance(stage, spot, seen_strokes(posed, leaf));
-        if (found < near && found <= least) {
-            least = found;
+        if (found < near && found <= min) {
+            min = found;
             number = leaf.number();
         }
     });
@@ -143,7 +142,7 @@ void OverlaySource::set_input(std::uint32_t number, Time place)
         player->set_input(number, place);
 }
 
-bool OverlaySource::set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes)
+bool OverlaySource::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
 {
     for (ToldInputs* const player : parts_->players())
         player->set_drawing(number, strokes);

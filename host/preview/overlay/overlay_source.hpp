@@ -39,7 +39,7 @@ public:
     ItemFacts facts(Time moment, std::size_t item);
 
     void set_input(std::uint32_t number, Time place) override;
-    bool set_drawing(std::uint32_t number, std::span<const LiveStroke> strokes) override;
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override;
     void set_text(std::uint32_t number, std::string_view text) override;
 
 private:

@@ -8,7 +8,7 @@
 namespace kfast {
 
 PosedScene::PosedScene(const SceneView& scene, Size panel, Fit fit)
-    : WordBlock{bytes_for(scene)}, LiveScene{scene, panel, fit, bytes()}, items_{stored_items(scene, {})}
+    : WordBlock{bytes_for(scene)}, SceneState{scene, panel, fit, bytes()}, items_{stored_items(scene, {})}
 {
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/space.hpp"
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/prepared/node.hpp"
 #include "core/scene/item_view.hpp"
 #include "host/player/word_block.hpp"
@@ -30,7 +30,7 @@ struct SeenLeaf {
 };
 
 /// A scene that is posed as a player poses it, to be looked at rather than painted.
-class PosedScene : private WordBlock, public LiveScene {
+class PosedScene : private WordBlock, public SceneState {
 public:
     using Visit = std::function<void(const SeenLeaf&)>;
 
@@ -48,7 +48,7 @@ public:
     std::optional<ItemView> item(std::size_t number) const;
 
     /// With the bones as at the last visit, and the backbones of the object that was traced last.
-    using LiveScene::on_panel;
+    using SceneState::on_panel;
 
 private:
     std::map<const std::byte*, StoredItem> items_;

@@ -23,7 +23,7 @@ private:
 };
 
 /// Along a bone: within 1/65536 px.
-Point tip_of(const BoneView& bone, const LiveBone& live)
+Point tip_of(const BoneView& bone, const PosedBone& live)
 {
     const Fixed length = Fixed::sixteenths(bone.at_rest(BoneQuantity::length)) + live.growth();
     const BoneFrame& frame = live.frame();
@@ -31,7 +31,7 @@ Point tip_of(const BoneView& bone, const LiveBone& live)
                                 Fixed::from_raw(multiply(length.raw(), frame.sine, 30))};
 }
 
-/// For LiveBackbones are made when an object is traced.
+/// For PosedBackbones are made when an object is traced.
 struct NoOutline {
     void begin(Point) {}
     void add(const Segment&) {}
@@ -47,7 +47,7 @@ std::vector<SeenBone> seen_bones(const PosedScene& scene, std::uint32_t skeleton
     std::vector<SeenBone> seen;
     std::size_t number = on_panel.scene.first_bone(skeleton);
     for (BoneCursor bones = skeleton_of(on_panel.scene, skeleton).bones(); !bones.at_end(); ++number) {
-        const LiveBone& live = on_panel.bones[number];
+        const PosedBone& live = on_panel.bones[number];
         seen.push_back({see(live.frame().origin), see(tip_of(bones.next(), live))});
     }
     return seen;

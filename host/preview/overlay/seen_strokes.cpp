@@ -1,12 +1,12 @@
 #include "host/preview/overlay/seen_strokes.hpp"
 
 #include "core/math/flatten.hpp"
-#include "core/math/sight.hpp"
+#include "core/math/view_projection.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/pose/label_trace.hpp"
-#include "core/pose/live_drawing.hpp"
-#include "core/pose/live_strokes.hpp"
-#include "core/pose/live_wires.hpp"
 #include "core/pose/object_strokes.hpp"
+#include "core/pose/posed_strokes.hpp"
+#include "core/pose/posed_wires.hpp"
 
 #include <optional>
 #include <utility>
@@ -50,7 +50,7 @@ public:
 private:
     SeenStroke& stroke() { return strokes_.back(); }
 
-    Sight sight_;
+    ViewProjection sight_;
     std::vector<SeenStroke> strokes_;
 };
 
@@ -90,19 +90,19 @@ public:
 
     void trace(const Affine& placement, StrokeList& strokes) const
     {
-        std::optional<LiveBackbones> backbones;
+        std::optional<PosedBackbones> backbones;
         if (object_.carrier == Carrier::backbones)
-            backbones = live_backbones();
+            backbones = posed_backbones();
         const auto drawing = [this](bool is_second) {
             return is_second ? carried(way_.arrival, way_.to.more)
                              : carried(way_.from.drawing, way_.from.more);
         };
         const SceneView& scene = on_panel_.scene;
-        LiveStrokes{{scene.drawing(way_.from.drawing).strokes(), scene.drawing(way_.arrival).strokes()},
-                    drawing,
-                    way_.progress,
-                    backbones ? &*backbones : nullptr,
-                    placement}
+        PosedStrokes{{scene.drawing(way_.from.drawing).strokes(), scene.drawing(way_.arrival).strokes()},
+                     drawing,
+                     way_.progress,
+                     backbones ? &*backbones : nullptr,
+                     placement}
             .trace(strokes);
     }
 
@@ -111,7 +111,7 @@ public:
         const auto wires = [](const Key& key) {
             return WireDrawing{key.drawing, static_cast<std::uint32_t>(key.more)};
         };
-        LiveWires{on_panel_.scene.drawings(), wires(way_.from), wires(way_.to), way_.progress, projection}
+        PosedWires{on_panel_.scene.drawings(), wires(way_.from), wires(way_.to), way_.progress, projection}
             .trace(strokes);
     }
 
@@ -127,11 +127,11 @@ private:
                 on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
     }
 
-    LiveBackbones live_backbones() const
+    PosedBackbones posed_backbones() const
     {
         const SceneView& scene = on_panel_.scene;
         const BackboneKeyCursor keys = object_.backbones.keys();
-        const Time time = moment_.at(keys.beats().clock());
+        const Time time = moment_.at(keys.key_times().driver());
         const auto [from, to] = interval_at(keys, time);
         return {on_panel_.backbone_nodes, object_.backbones.unit_bits, scene.drawing(from.drawing),
                 scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
@@ -147,7 +147,7 @@ private:
 bool stands_at_key(const SceneView& scene, const ObjectView& object, const Moment& moment)
 {
     const KeyCursor keys = object.keys();
-    const Time time = moment.at(keys.beats().clock());
+    const Time time = moment.at(keys.key_times().driver());
     const auto [from, to] = interval_at(keys, time);
     return progress_between(from.time, to.time, time, scene.laws(from.laws)).is_at_beginning();
 }
@@ -157,9 +157,9 @@ void trace_live(const SceneOnPanel& on_panel, const LiveView& live, const Affine
 {
     const SceneView& scene = on_panel.scene;
     switch (live.kind) {
-    case LiveKind::drawing:
+    case InputLeaf::drawing:
         return trace_live_strokes(on_panel.drawings.of(scene, live.input), placement, strokes);
-    case LiveKind::label:
+    case InputLeaf::label:
         return LabelTrace{LabelView::of(live.label), on_panel.texts.glyphs(scene, live.input),
                           scene.drawings()}
             .trace(placement, strokes);
@@ -183,7 +183,7 @@ std::vector<SeenStroke> strokes_of(const SceneOnPanel& on_panel, const SeenLeaf&
     return strokes.take();
 }
 
-std::vector<SeenStroke> live_strokes(const SceneOnPanel& on_panel, const SeenLeaf& leaf)
+std::vector<SeenStroke> posed_strokes(const SceneOnPanel& on_panel, const SeenLeaf& leaf)
 {
     const Projection projection{leaf.space, on_panel.camera};
     const bool is_flat = leaf.space.is_flat();
@@ -198,7 +198,7 @@ std::vector<SeenStroke> seen_strokes(const PosedScene& scene, const SeenLeaf& le
 {
     const SceneOnPanel& on_panel = scene.on_panel();
     if (leaf.item.kind != ItemKind::object)
-        return live_strokes(on_panel, leaf);
+        return posed_strokes(on_panel, leaf);
     return strokes_of(on_panel, leaf, ObjectStrokes{on_panel, leaf.node});
 }
 
@@ -208,7 +208,7 @@ std::vector<SeenStroke> matched_strokes(const PosedScene& scene, const SeenLeaf&
     const ObjectView& object = leaf.item.object;
     if (leaf.item.kind != ItemKind::object || !stands_at_key(on_panel.scene, object, leaf.moment))
         return seen_strokes(scene, leaf);
-    const auto way = way_at_key(object, leaf.moment.at(object.keys().beats().clock()));
+    const auto way = way_at_key(object, leaf.moment.at(object.keys().key_times().driver()));
     return way ? strokes_of(on_panel, leaf, MatchedObject{on_panel, leaf, *way}) : seen_strokes(scene, leaf);
 }
 

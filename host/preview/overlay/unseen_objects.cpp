@@ -24,7 +24,7 @@ enum class Shown : std::uint8_t { never, without_area, painted };
 bool is_told(const ItemView& item)
 {
     return item.kind == ItemKind::live &&
-           (item.live.kind == LiveKind::drawing || item.live.kind == LiveKind::label);
+           (item.live.kind == InputLeaf::drawing || item.live.kind == InputLeaf::label);
 }
 
 /// Notes what pictures show, until there is nothing left to wait for.
@@ -110,10 +110,10 @@ std::vector<Time> frames_of(const SceneView& scene)
 }
 
 /// From 0 to `end`: evenly spaced ones, those of all keys that go by `clock`, and halfway between them.
-std::vector<Time> telling_moments(const SceneView& scene, Clock clock, Time end)
+std::vector<Time> telling_moments(const SceneView& scene, Driver driver, Time end)
 {
     constexpr int spaces = 16;
-    std::vector<Time> moments = key_times(scene, clock);
+    std::vector<Time> moments = key_times(scene, driver);
     for (int space = 0; space <= spaces; ++space)
         moments.push_back({static_cast<std::int32_t>(std::int64_t{end.ticks} * space / spaces)});
     std::ranges::sort(moments);
@@ -130,7 +130,7 @@ std::vector<Time> telling_moments(const SceneView& scene, Clock clock, Time end)
 /// places.
 struct TurnedInput {
     std::uint32_t number = 0;
-    Time usual{};
+    Time default_value{};
     std::vector<Time> places;
 };
 
@@ -146,7 +146,7 @@ Plan plan_of(const SceneView& scene)
     for (std::uint32_t number = 0; number < scene.input_count(); ++number)
         if (const InputView input = scene.input(number); input.type == InputType::number)
             plan.inputs.push_back(
-                {number, input.place_of(input.usual),
+                {number, input.place_of(input.default_value),
                  telling_moments(scene, {static_cast<std::uint8_t>(number + 1)}, whole_input)});
     return plan;
 }
@@ -154,12 +154,12 @@ Plan plan_of(const SceneView& scene)
 /// Whether it could take much more than a second.
 bool takes_long(const SceneView& scene, const Plan& plan)
 {
-    constexpr std::size_t most_bytes = 50'000'000;
-    constexpr std::size_t least_of_a_frame = 10'000;
+    constexpr std::size_t max_bytes = 50'000'000;
+    constexpr std::size_t min_of_a_frame = 10'000;
     std::size_t looks = plan.frames.size();
     for (const TurnedInput& input : plan.inputs)
         looks += input.places.size() * plan.moments.size();
-    return looks * std::max(scene.drawings().size(), least_of_a_frame) > most_bytes;
+    return looks * std::max(scene.drawings().size(), min_of_a_frame) > max_bytes;
 }
 
 /// Through the range of a number: it may show what time alone does not.
@@ -169,7 +169,7 @@ void turn(Watch& watch, const TurnedInput& input, std::span<const Time> moments)
         watch.set_input(input.number, place);
         look_at(watch, moments);
     }
-    watch.set_input(input.number, input.usual);
+    watch.set_input(input.number, input.default_value);
 }
 
 }

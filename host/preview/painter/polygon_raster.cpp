@@ -12,7 +12,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::size_t most_corners = 1000; // FreeType counts them in short
+constexpr std::size_t max_corners = 1000; // FreeType counts them in short
 
 /// FreeType has y up and counts in 1/64 pixel.
 FT_Vector vector_of(WindowSpot spot)
@@ -51,7 +51,7 @@ PolygonRaster::~PolygonRaster() = default;
 
 void PolygonRaster::trace(std::span<const WindowSpot> corners, Rect seen, const Cover& cover) const
 {
-    if (corners.size() < 3 || corners.size() > most_corners || is_empty(seen))
+    if (corners.size() < 3 || corners.size() > max_corners || is_empty(seen))
         return;
     std::vector<FT_Vector> points(corners.size());
     std::transform(corners.begin(), corners.end(), points.begin(), vector_of);

@@ -19,8 +19,8 @@ Rect fitting(Size panel, Rect pane, int margin)
 
 double panned(double pan, int length, int room)
 {
-    const double most = std::max(0.0, (length - room) / 2.0);
-    return std::clamp(pan, -most, most);
+    const double max = std::max(0.0, (length - room) / 2.0);
+    return std::clamp(pan, -max, max);
 }
 
 int begin_of(int pane, int room, int length, double pan)

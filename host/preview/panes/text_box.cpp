@@ -29,7 +29,7 @@ Rect draw_plate(Painter& painter, Rect wanted, Rect room, Colour edge)
     return box;
 }
 
-int most_columns(std::span<const std::string> lines)
+int max_columns(std::span<const std::string> lines)
 {
     int columns = 0;
     for (const std::string& line : lines)
@@ -84,10 +84,10 @@ std::vector<ColouredLine> error_lines(std::span<const std::string> lines, int co
 Rect draw_errors(Painter& painter, Rect room, std::span<const std::string> lines)
 {
     const Rect free = inset(room, std::min(10, room.width / 20), std::min(10, room.height / 20));
-    const int most = std::max(1, (free.height - 2 * margin) / line_height);
+    const int max = std::max(1, (free.height - 2 * margin) / line_height);
     auto shown = error_lines(lines, std::max(1, (free.width - 2 * margin) / letter.width));
-    if (static_cast<int>(shown.size()) > most) {
-        shown.resize(static_cast<std::size_t>(most));
+    if (static_cast<int>(shown.size()) > max) {
+        shown.resize(static_cast<std::size_t>(max));
         shown.back() = {"…", theme::text};
     }
     const int height = static_cast<int>(shown.size()) * line_height + 2 * margin;
@@ -110,7 +110,7 @@ Rect draw_lower_plate(Painter& painter, Rect room, const std::string& text, int 
     constexpr int gap = 12; // below it
     const std::vector<std::string> lines =
         wrapped(text, std::max(1, (room.width - 2 * margin) / letter.width));
-    const int width = std::max(most_columns(lines) * letter.width, extra_height > 0 ? 240 : 0) + 2 * margin;
+    const int width = std::max(max_columns(lines) * letter.width, extra_height > 0 ? 240 : 0) + 2 * margin;
     const int height = static_cast<int>(lines.size()) * line_height + 2 * padding + extra_height;
     const Rect box = draw_plate(
         painter, {room.x + (room.width - width) / 2, bottom_of(room) - gap - height, width, height}, room,

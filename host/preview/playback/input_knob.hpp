@@ -22,7 +22,7 @@ struct InputKnob {
     /// By a twentieth of its range for each step.
     void turn(int steps)
     {
-        const std::int64_t step = std::max((std::int64_t{range.most} - range.least) / 20, std::int64_t{1});
+        const std::int64_t step = std::max((std::int64_t{range.max} - range.min) / 20, std::int64_t{1});
         is_turned = true;
         put(value + steps * step);
     }
@@ -30,8 +30,8 @@ struct InputKnob {
     /// As near as its range allows.
     void put(std::int64_t wanted)
     {
-        value = static_cast<std::int32_t>(
-            std::clamp(wanted, std::int64_t{range.least}, std::int64_t{range.most}));
+        value =
+            static_cast<std::int32_t>(std::clamp(wanted, std::int64_t{range.min}, std::int64_t{range.max}));
     }
 
     Time place() const { return range.place_of(value); }

@@ -49,7 +49,7 @@ std::string law_between(const SceneView& scene, const TrackView& track, const Tr
 
 Quantity quantity_of(const SceneView& scene, const TrackView& track)
 {
-    Quantity quantity{std::string{property_name(track.property)}, track.keys.beats().clock()};
+    Quantity quantity{std::string{property_name(track.property)}, track.keys.key_times().driver()};
     for (TrackKeyCursor keys = track.keys; !keys.at_end();) {
         const TrackKey key = keys.next();
         quantity.keys.push_back({key.time, value_text(scene, track.property, key.value),
@@ -61,7 +61,7 @@ Quantity quantity_of(const SceneView& scene, const TrackView& track)
 template <class KeyCursor>
 Quantity quantity_of(const SceneView& scene, std::string name, KeyCursor keys)
 {
-    Quantity quantity{std::move(name), keys.beats().clock()};
+    Quantity quantity{std::move(name), keys.key_times().driver()};
     while (!keys.at_end()) {
         const auto key = keys.next();
         quantity.keys.push_back({key.time, "", keys.at_end() ? "" : text_of(scene.laws(key.laws))});
@@ -87,7 +87,7 @@ void join_scales(std::vector<Quantity>& quantities)
 {
     const auto x = std::ranges::find(quantities, "scale-x", &Quantity::name);
     const auto y = std::ranges::find(quantities, "scale-y", &Quantity::name);
-    if (x == quantities.end() || y == quantities.end() || x->clock.input != y->clock.input ||
+    if (x == quantities.end() || y == quantities.end() || x->driver.input != y->driver.input ||
         x->keys != y->keys)
         return;
     x->name = "scale";
@@ -110,7 +110,7 @@ public:
         for (const Property property : always_listed)
             add(property);
         join_equal_scales();
-        for (const LiveTrack& track : prepared_.tracks(item_)) {
+        for (const TrackState& track : prepared_.tracks(item_)) {
             const auto property = static_cast<Property>(track.property);
             if (std::ranges::find(always_listed, property) == always_listed.end() && !is_painted(property))
                 add(property);
@@ -122,24 +122,24 @@ public:
 private:
     static bool is_painted(Property property) { return is_colour(property) || property == Property::width; }
 
-    const LiveTrack* track(Property property) const
+    const TrackState* track(Property property) const
     {
         const auto tracks = prepared_.tracks(item_);
         const auto found =
-            std::ranges::find(tracks, static_cast<std::uint8_t>(property), &LiveTrack::property);
+            std::ranges::find(tracks, static_cast<std::uint8_t>(property), &TrackState::property);
         return found == tracks.end() ? nullptr : &*found;
     }
 
     bool has_keys(Property property) const
     {
-        const LiveTrack* const found = track(property);
+        const TrackState* const found = track(property);
         return found != nullptr && found->has_timeline();
     }
 
     /// In the unit of the property, with parts of it.
     double amount(Property property) const
     {
-        const LiveTrack* const found = track(property);
+        const TrackState* const found = track(property);
         constexpr double fine_one = 1 << fine_bits;
         return found == nullptr ? value_without_track(property)
                                 : prepared_.fine_value(scene_, *found) / fine_one;
@@ -190,11 +190,11 @@ private:
     std::vector<ItemValue> values_;
 };
 
-std::string text_of(const SceneView& scene, Clock clock, const QuantityKey* key)
+std::string text_of(const SceneView& scene, Driver driver, const QuantityKey* key)
 {
     if (key == nullptr)
         return "";
-    std::string text = rounded_text(written_moment(scene, clock, key->time));
+    std::string text = rounded_text(written_moment(scene, driver, key->time));
     if (!key->value.empty())
         text += ": " + key->value;
     if (!key->law.empty())
@@ -204,11 +204,11 @@ std::string text_of(const SceneView& scene, Clock clock, const QuantityKey* key)
 
 ItemFacts::Way way_at(const SceneView& scene, const Quantity& quantity, const Moment& moment)
 {
-    const auto [before, after] = keys_around(quantity, moment.at(quantity.clock));
+    const auto [before, after] = keys_around(quantity, moment.at(quantity.driver));
     std::string name = quantity.name;
-    if (!quantity.clock.is_time())
-        name += " by " + visible(input_of(scene, quantity.clock).name);
-    return {std::move(name), text_of(scene, quantity.clock, before), text_of(scene, quantity.clock, after)};
+    if (!quantity.driver.is_time())
+        name += " by " + visible(input_of(scene, quantity.driver).name);
+    return {std::move(name), text_of(scene, quantity.driver, before), text_of(scene, quantity.driver, after)};
 }
 
 }

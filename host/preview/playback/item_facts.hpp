@@ -23,7 +23,7 @@ struct QuantityKey {
 /// Where scale-x and scale-y are the same, they are one, "scale".
 struct Quantity {
     std::string name;
-    Clock clock = {};
+    Driver driver = {};
     std::vector<QuantityKey> keys = {}; ///< in order, at least one
 };
 

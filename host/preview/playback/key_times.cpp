@@ -12,25 +12,25 @@ namespace {
 /// Collects the moments of keys that go by one clock.
 class KeyTimes {
 public:
-    explicit KeyTimes(Clock clock) : clock_{clock} {}
+    explicit KeyTimes(Driver driver) : driver_{driver} {}
 
-    void add(const BonesView& skeleton)
+    void add(const SkeletonView& skeleton)
     {
-        add(skeleton.common_beats());
+        add(skeleton.common_key_times());
         for (BoneCursor bones = skeleton.bones(); !bones.at_end();)
             for (const BoneKeys& keys : bones.next().keys)
                 if (keys.kind() == BoneKeys::Kind::own)
-                    add(keys.keys().beats());
+                    add(keys.keys().key_times());
     }
 
     void add(const ItemView& item)
     {
         if (item.kind == ItemKind::object)
-            add(item.object.keys().beats());
+            add(item.object.keys().key_times());
         if (item.kind == ItemKind::object && item.object.carrier == Carrier::backbones)
-            add(item.object.backbones.keys().beats());
+            add(item.object.backbones.keys().key_times());
         for (TrackCursor tracks = item.tracks; !tracks.at_end();)
-            add(tracks.next().keys.beats());
+            add(tracks.next().keys.key_times());
     }
 
     std::vector<Time> sorted()
@@ -41,38 +41,38 @@ public:
     }
 
 private:
-    void add(BeatCursor beats)
+    void add(KeyTimeCursor key_times)
     {
-        while (beats.clock() == clock_ && !beats.at_end())
-            times_.push_back(beats.next().time);
+        while (key_times.driver() == driver_ && !key_times.at_end())
+            times_.push_back(key_times.next().time);
     }
 
-    Clock clock_;
+    Driver driver_;
     std::vector<Time> times_;
 };
 
 }
 
-std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Clock clock)
+std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Driver driver)
 {
-    KeyTimes times{clock};
+    KeyTimes times{driver};
     times.add(item);
     if (item.kind == ItemKind::object && item.object.carrier == Carrier::bones)
         times.add(skeleton_of(scene, item.object.skeleton));
     return times.sorted();
 }
 
-std::vector<Time> bone_key_times(const SceneView& scene, const ItemView& item, Clock clock)
+std::vector<Time> bone_key_times(const SceneView& scene, const ItemView& item, Driver driver)
 {
-    KeyTimes times{clock};
+    KeyTimes times{driver};
     times.add(skeleton_of(scene, item.object.skeleton));
     return times.sorted();
 }
 
-std::vector<Time> key_times(const SceneView& scene, Clock clock)
+std::vector<Time> key_times(const SceneView& scene, Driver driver)
 {
-    KeyTimes times{clock};
-    for (BonesCursor skeletons = scene.skeletons(); !skeletons.at_end();)
+    KeyTimes times{driver};
+    for (SkeletonCursor skeletons = scene.skeletons(); !skeletons.at_end();)
         times.add(skeletons.next());
     every_item(scene, [&times](const ItemView& item) { times.add(item); });
     return times.sorted();

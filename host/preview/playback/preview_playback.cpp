@@ -132,9 +132,9 @@ std::int64_t PreviewPlayback::before_the_end(std::int64_t ticks)
     if (!way_left_)
         return ticks;
     const std::int64_t speed = std::abs(speed_);
-    const std::int64_t most = (*way_left_ - 1) / speed;
-    wants_to_quit_ = wants_to_quit_ || ticks > most;
-    const std::int64_t taken = std::min(ticks, most);
+    const std::int64_t max = (*way_left_ - 1) / speed;
+    wants_to_quit_ = wants_to_quit_ || ticks > max;
+    const std::int64_t taken = std::min(ticks, max);
     *way_left_ -= taken * speed;
     return taken;
 }
@@ -211,9 +211,9 @@ void PreviewPlayback::set_speed(std::int32_t speed)
     playhead_.set_speed(speed);
 }
 
-Stretch PreviewPlayback::stretch() const
+PlayRange PreviewPlayback::stretch() const
 {
-    Stretch stretch = part().stretch;
+    PlayRange stretch = part().stretch;
     if (loop_choice_ == LoopChoice::once)
         stretch.loop = Loop::once;
     else if (loop_choice_ == LoopChoice::always && stretch.loop == Loop::once)
@@ -231,7 +231,7 @@ void PreviewPlayback::choose_next_loop(Seconds now)
 
 void PreviewPlayback::go_on_at(Time moment, bool playing, Seconds now)
 {
-    const Stretch here = stretch();
+    const PlayRange here = stretch();
     playhead_ = timeline().playhead(programme_.events);
     stop_at(std::clamp(moment, here.begin, here.end));
     playing_ = playing;
@@ -240,7 +240,7 @@ void PreviewPlayback::go_on_at(Time moment, bool playing, Seconds now)
 
 void PreviewPlayback::scrub(Time moment)
 {
-    const Stretch here = stretch();
+    const PlayRange here = stretch();
     if (moment < here.begin || moment > here.end)
         part_ = 0;
     go_on_at(moment, false, anchor_);

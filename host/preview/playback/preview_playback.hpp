@@ -65,7 +65,7 @@ public:
     void close_help() { help_open_ = false; }
     /// What is played and how fast, as it was chosen by keys.
     Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
-    Stretch stretch() const;
+    PlayRange stretch() const;
     const Part& part() const { return programme_.parts[part_]; }
     LoopChoice loop_choice() const { return loop_choice_; }
     /// The way of a beam is to be shown where it is not lit.

@@ -16,7 +16,7 @@ std::vector<InputKnob> inputs_of(const SceneView& scene)
         InputView input = inputs.next();
         const std::string name{std::exchange(input.name, {})};
         if (input.type != InputType::drawing)
-            knobs.push_back({name, number, input, input.usual});
+            knobs.push_back({name, number, input, input.default_value});
     }
     return knobs;
 }
@@ -25,10 +25,10 @@ std::vector<InputKnob> inputs_of(const SceneView& scene)
 
 Programme programme_of(const SceneView& scene)
 {
-    std::vector<Part> parts{{"", stretch_of(scene)}};
+    std::vector<Part> parts{{"", play_range_of(scene)}};
     for (ClipCursor clips = scene.clips(); !clips.at_end();) {
         const ClipView clip = clips.next();
-        parts.push_back({std::string{clip.name}, stretch_of(clip)});
+        parts.push_back({std::string{clip.name}, play_range_of(clip)});
     }
     return {scene.frame_rate(), std::move(parts), key_times(scene), scene.events(), inputs_of(scene)};
 }

@@ -12,7 +12,7 @@ namespace kfast {
 /// A part of a scene that can be played by itself.
 struct Part {
     std::string name; ///< of a clip; the whole scene has none
-    Stretch stretch;
+    PlayRange stretch;
 };
 
 /// What a preview can play, and how it begins.

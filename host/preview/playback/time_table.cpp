@@ -47,7 +47,7 @@ private:
     {
         std::vector<std::pair<std::string, std::vector<Time>>> timed;
         for (const Quantity& quantity : quantities_of(scene_, item)) {
-            if (!quantity.clock.is_time())
+            if (!quantity.driver.is_time())
                 continue;
             auto& keys = timed.emplace_back(quantity.name, std::vector<Time>{}).second;
             for (const QuantityKey& key : quantity.keys)
@@ -113,7 +113,7 @@ TimeTable time_table(const SceneView& scene, const std::vector<std::string>& ite
     TimeTable table{.end = scene.length(), .rows = TimeRows{scene, item_names}.take()};
     for (ClipCursor clips = scene.clips(); !clips.at_end();) {
         const ClipView clip = clips.next();
-        table.clips.push_back({std::string{clip.name}, stretch_of(clip)});
+        table.clips.push_back({std::string{clip.name}, play_range_of(clip)});
     }
     for (EventCursor events = scene.events(); !events.at_end();) {
         const EventView event = events.next();

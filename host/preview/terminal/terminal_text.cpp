@@ -52,9 +52,9 @@ std::vector<std::string> lines_below(const TerminalContent& content, Size cells)
 {
     std::vector<std::string> lines{status_line(content, cells.width),
                                    line_within(content.notice, cells.width)};
-    const auto most = static_cast<std::size_t>(std::max(cells.height / 2, 1));
-    const bool all = content.errors.size() <= most;
-    const std::size_t count = all ? content.errors.size() : most - 1;
+    const auto max = static_cast<std::size_t>(std::max(cells.height / 2, 1));
+    const bool all = content.errors.size() <= max;
+    const std::size_t count = all ? content.errors.size() : max - 1;
     for (const std::string& line : content.errors.first(count))
         lines.push_back(line_within(line, cells.width));
     if (!all)

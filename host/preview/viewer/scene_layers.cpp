@@ -42,7 +42,7 @@ ItemFacts SceneLayers::facts(const PreviewPlayback& playback, std::size_t item)
     return overlays_.facts(playback.time(), item);
 }
 
-std::vector<Time> SceneLayers::skin_keys(Stretch played, std::optional<std::size_t> selected) const
+std::vector<Time> SceneLayers::skin_keys(PlayRange played, std::optional<std::size_t> selected) const
 {
     std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
     std::erase_if(keys, [&](Time key) { return key < played.begin || key > played.end; });

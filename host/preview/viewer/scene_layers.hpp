@@ -45,7 +45,7 @@ public:
 private:
     Stage stage() const;
     fit::Target board() const;
-    std::vector<Time> skin_keys(Stretch played, std::optional<std::size_t> selected) const;
+    std::vector<Time> skin_keys(PlayRange played, std::optional<std::size_t> selected) const;
 
     OpenedScene& scene_;
     TimeTable table_;

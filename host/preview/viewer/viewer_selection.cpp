@@ -24,7 +24,7 @@ std::optional<TextLine> Viewer::selected_line() const
     const SceneFile& scene = shown_.scene->scene;
     if (!view_.selected || *view_.selected >= scene.item_places.size())
         return std::nullopt;
-    const Place& place = scene.item_places[*view_.selected];
+    const SourceSpan& place = scene.item_places[*view_.selected];
     return TextLine{shown_.scene->file, line_column(scene.text, place.offset).line};
 }
 

@@ -51,10 +51,10 @@ void Viewer::stop_work()
 bool Viewer::fits_in_memory(std::size_t frames)
 {
     const std::size_t bytes = frame().pixels.size() * frames;
-    if (bytes <= FrameCollection::most_bytes)
+    if (bytes <= FrameCollection::max_bytes)
         return true;
     notify(counted(frames, "frame") + " would need " + std::to_string(bytes >> 20) + " MB of memory, and " +
-           std::to_string(FrameCollection::most_bytes >> 20) +
+           std::to_string(FrameCollection::max_bytes >> 20) +
            " are the most: choose a clip (c) or a smaller --size");
     return false;
 }

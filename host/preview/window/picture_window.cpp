@@ -101,8 +101,8 @@ Size on_screen(Size wanted)
 {
     SDL_Rect screen{0, 0, 1024, 768};
     SDL_GetDisplayUsableBounds(0, &screen);
-    const auto side = [](int want, int least, int room) {
-        return std::min(std::max(want, least), std::max(1, room * 9 / 10));
+    const auto side = [](int want, int min, int room) {
+        return std::min(std::max(want, min), std::max(1, room * 9 / 10));
     };
     return {side(wanted.width, smallest_window.width, screen.w),
             side(wanted.height, smallest_window.height, screen.h)};

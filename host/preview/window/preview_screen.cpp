@@ -20,8 +20,8 @@ constexpr int click_reach = 3; // pixels that a hand may shake
 
 int margin(const ViewOptions& view, Rect pane)
 {
-    constexpr int usual_margin = 12;
-    return view.panel_frame ? module_margin(pane) : usual_margin;
+    constexpr int default_margin = 12;
+    return view.panel_frame ? module_margin(pane) : default_margin;
 }
 
 Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.width, layout.status.y}; }
@@ -240,9 +240,9 @@ void PreviewScreen::turn_wheel(const PointerEvent& event, Viewer& viewer)
         return zoom(viewer, event.wheel > 0, spot_of(event));
     if (!contains(parts.time_line, event.x, event.y))
         return;
-    const auto most = static_cast<std::ptrdiff_t>(time_line(viewer, parts.time_line).last_first_row());
+    const auto max = static_cast<std::ptrdiff_t>(time_line(viewer, parts.time_line).last_first_row());
     first_row_ = static_cast<std::size_t>(
-        std::clamp(static_cast<std::ptrdiff_t>(first_row_) - event.wheel, std::ptrdiff_t{0}, most));
+        std::clamp(static_cast<std::ptrdiff_t>(first_row_) - event.wheel, std::ptrdiff_t{0}, max));
 }
 
 }

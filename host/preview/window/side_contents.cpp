@@ -79,8 +79,8 @@ void add_input(SidePanel& panel, const InputKnob& input, bool is_chosen)
 {
     if (!input.can_turn())
         return panel.add_value(visible(input.name), in_quotes(input.text), is_chosen);
-    const double range = static_cast<double>(input.range.most) - input.range.least;
-    const double share = (static_cast<double>(input.value) - input.range.least) / std::max(1.0, range);
+    const double range = static_cast<double>(input.range.max) - input.range.min;
+    const double share = (static_cast<double>(input.value) - input.range.min) / std::max(1.0, range);
     panel.add_value(visible(input.name), number_text(input.value / 1000.0), is_chosen, share);
 }
 

@@ -28,10 +28,10 @@ int picture_height(Size room, const WindowWishes& wishes)
 
 int time_line_height(Size above, const WindowWishes& wishes)
 {
-    const int most = std::clamp(wishes.time_line_height, 0, above.height * 2 / 5);
-    const int least = std::clamp(wishes.time_line_height - wishes.spare_time_line_height, 0, most);
-    const int left = above.height - picture_height({above.width, above.height - least}, wishes);
-    return std::clamp(left, least, most);
+    const int max = std::clamp(wishes.time_line_height, 0, above.height * 2 / 5);
+    const int min = std::clamp(wishes.time_line_height - wishes.spare_time_line_height, 0, max);
+    const int left = above.height - picture_height({above.width, above.height - min}, wishes);
+    return std::clamp(left, min, max);
 }
 
 }

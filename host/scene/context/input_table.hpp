@@ -12,7 +12,7 @@ namespace kfast::scene {
 /// An input that has been read.
 struct InputEntry {
     Input input;
-    Place place;
+    SourceSpan place;
     bool is_used = false;       ///< keys go by it
     bool is_range_known = true; ///< else it was wrong
 };

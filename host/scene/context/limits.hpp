@@ -11,26 +11,26 @@
 namespace kfast::scene {
 
 /// In all drawings, keys counted as well.
-inline constexpr std::size_t most_points_of_scene = std::size_t{1} << 22;
-inline constexpr std::size_t most_keys = 65'535;                          ///< of an item
-inline constexpr std::size_t most_ordered_items = kfb::max_ordered_items; ///< beside each other
-inline constexpr std::size_t most_symbols = kfb::max_symbols;             ///< of items, in use
-inline constexpr std::size_t most_clips = kfb::max_clips;
-inline constexpr std::size_t most_inputs = kfb::max_inputs;
-inline constexpr int most_live_points = kfb::max_live_points; ///< of a drawing from outside
-inline constexpr std::size_t most_backbones = kfb::max_backbones;
-inline constexpr std::size_t most_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
+inline constexpr std::size_t max_points_of_scene = std::size_t{1} << 22;
+inline constexpr std::size_t max_keys = 65'535;                          ///< of an item
+inline constexpr std::size_t max_ordered_items = kfb::max_ordered_items; ///< beside each other
+inline constexpr std::size_t max_symbols = kfb::max_symbols;             ///< of items, in use
+inline constexpr std::size_t max_clips = kfb::max_clips;
+inline constexpr std::size_t max_inputs = kfb::max_inputs;
+inline constexpr int max_live_points = kfb::max_live_points; ///< of a drawing from outside
+inline constexpr std::size_t max_backbones = kfb::max_backbones;
+inline constexpr std::size_t max_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
 inline constexpr std::size_t longest_name = kfb::max_name_bytes;
-inline constexpr std::size_t most_skeletons = kfb::max_bones;
-inline constexpr std::size_t most_bones = kfb::max_bones;                   ///< of a skeleton
-inline constexpr std::size_t most_bones_together = kfb::max_bones_together; ///< of all skeletons
+inline constexpr std::size_t max_skeletons = kfb::max_bones;
+inline constexpr std::size_t max_bones = kfb::max_bones;                   ///< of a skeleton
+inline constexpr std::size_t max_bones_together = kfb::max_bones_together; ///< of all skeletons
 /// By all poses of a scene, a pose counted wherever its name stands: copies would soon be more than any
 /// memory holds.
-inline constexpr std::size_t most_posed_bones = std::size_t{1} << 19;
-inline constexpr std::size_t most_bones_at_point = kfb::max_bones_at_point;
+inline constexpr std::size_t max_posed_bones = std::size_t{1} << 19;
+inline constexpr std::size_t max_bones_at_point = kfb::max_bones_at_point;
 inline constexpr int deepest_item = kfb::max_depth; ///< groups and uses around it
-inline constexpr std::size_t most_colours = 255;    ///< in use, and names in the palette
-inline constexpr int most_frames = kfb::max_time / Time::ticks_per_frame;
+inline constexpr std::size_t max_colours = 255;     ///< in use, and names in the palette
+inline constexpr int max_frames = kfb::max_time / Time::ticks_per_frame;
 
 inline constexpr int widest_canvas = kfb::max_canvas;      ///< pixels, in each direction
 inline constexpr int fastest = kfb::max_frame_rate / 1000; ///< frames per second

@@ -48,7 +48,7 @@ std::optional<Colour> hex_colour(std::string_view text)
     return Colour{doubled(bits >> 12), doubled(bits >> 8), doubled(bits >> 4), doubled(bits)};
 }
 
-std::optional<Place> Palette::declare(const std::string& name, Colour colour, Place place)
+std::optional<SourceSpan> Palette::declare(const std::string& name, Colour colour, SourceSpan place)
 {
     const auto [entry, fresh] = named_.try_emplace(name, Named{colour, place});
     if (fresh)
@@ -70,7 +70,7 @@ std::optional<std::size_t> Palette::use(Colour colour)
     const auto index = static_cast<std::size_t>(entry - used_.begin());
     if (entry != used_.end())
         return index;
-    if (used_.size() == most_colours)
+    if (used_.size() == max_colours)
         return std::nullopt;
     used_.push_back(colour);
     return index;

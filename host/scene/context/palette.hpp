@@ -23,12 +23,12 @@ std::optional<Colour> hex_colour(std::string_view text);
 class Palette {
 public:
     /// The place of an earlier declaration of that name, if there is one; then nothing is changed.
-    std::optional<Place> declare(const std::string& name, Colour colour, Place place);
+    std::optional<SourceSpan> declare(const std::string& name, Colour colour, SourceSpan place);
     std::size_t declared() const { return named_.size(); }
 
     /// A declared name, a known name or a hexadecimal colour.
     std::optional<Colour> find(const std::string& text) const;
-    /// The index of the colour among those in use; nothing when most_colours are in use already.
+    /// The index of the colour among those in use; nothing when max_colours are in use already.
     std::optional<std::size_t> use(Colour colour);
 
     /// All names that find() knows, the declared ones first.
@@ -43,7 +43,7 @@ private:
 
     struct Named {
         Colour colour;
-        Place place;
+        SourceSpan place;
     };
     std::map<std::string, Named> named_;
     std::vector<Colour> used_;

@@ -20,7 +20,7 @@ public:
     }
 
 private:
-    std::size_t left_ = most_points_of_scene;
+    std::size_t left_ = max_points_of_scene;
 };
 
 }

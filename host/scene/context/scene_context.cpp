@@ -6,11 +6,11 @@
 
 namespace kfast::scene {
 
-bool take_points(std::size_t points, Place place, SceneContext& context)
+bool take_points(std::size_t points, SourceSpan place, SceneContext& context)
 {
     return context.points.take(points) ||
            context.report.error(place, "the drawings of a scene hold at most " +
-                                           std::to_string(most_points_of_scene) + " points");
+                                           std::to_string(max_points_of_scene) + " points");
 }
 
 }

@@ -7,7 +7,7 @@
 #include "host/scene/context/skeleton_table.hpp"
 #include "host/scene/context/symbol_table.hpp"
 #include "host/scene/font/font_shelf.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/schema/report.hpp"
 
@@ -32,9 +32,9 @@ using schema::any_time;
 using schema::has_property;
 using schema::NameTable;
 using schema::NodeForm;
-using schema::NodeWords;
-using schema::property_place;
-using schema::PropertyWords;
+using schema::NodeSchema;
+using schema::property_span;
+using schema::PropertySchema;
 using schema::Range;
 using schema::Report;
 using schema::span;
@@ -47,7 +47,7 @@ using schema::word_names;
 /// A text whose letters are lines, which a fill does not show.
 struct LineLetters {
     std::string font;
-    Place place;
+    SourceSpan place;
 };
 
 /// What is known of a scene while its nodes are read.
@@ -70,7 +70,7 @@ struct SceneContext {
 inline Report& report_of(SceneContext& context) { return context.report; }
 
 /// Whether the scene has room for as many points, a key counted as one; reports it if not.
-bool take_points(std::size_t points, Place place, SceneContext& context);
+bool take_points(std::size_t points, SourceSpan place, SceneContext& context);
 
 /// Of the tables of the language.
 template <class Target>

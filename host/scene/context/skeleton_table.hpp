@@ -13,7 +13,7 @@ namespace kfast::scene {
 struct Skeleton {
     Bones bones;
     std::vector<double> regions; ///< how far each bone reaches to either side, in pixels
-    bool is_good = true;         ///< if not, what is wrong has been reported, and bones may be missing
+    bool is_valid = true;        ///< if not, what is wrong has been reported, and bones may be missing
     bool is_used = false;
 };
 

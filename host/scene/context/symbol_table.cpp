@@ -2,7 +2,7 @@
 
 namespace kfast::scene {
 
-std::optional<Place> SymbolTable::add(const SymbolEntry& entry)
+std::optional<SourceSpan> SymbolTable::add(const SymbolEntry& entry)
 {
     const auto [number, fresh] = numbers_.try_emplace(entry.name, entries.size());
     if (!fresh)

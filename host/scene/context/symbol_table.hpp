@@ -22,7 +22,7 @@ struct SymbolEntry {
 
     const kdl::Node* node = nullptr;
     std::string name;
-    Place place; ///< of the name
+    SourceSpan place; ///< of the name
     State state = State::unread;
     bool is_used = false;
     std::optional<Kind> kind;
@@ -41,7 +41,7 @@ struct SymbolEntry {
 class SymbolTable {
 public:
     /// The place of an earlier symbol of that name, if there is one; then nothing is changed.
-    std::optional<Place> add(const SymbolEntry& entry);
+    std::optional<SourceSpan> add(const SymbolEntry& entry);
     /// Null when there is no such symbol.
     SymbolEntry* find(std::string_view name);
     /// Of an entry of this table.

@@ -67,7 +67,7 @@ public:
             down_ = false;
             return;
         }
-        const Spot spot{distance(pair[0]) - left_, distance(pair[1]) - baseline};
+        const Vec2 spot{distance(pair[0]) - left_, distance(pair[1]) - baseline};
         if (down_)
             letter_.outlines.back().curves.push_back(line_to(spot));
         else

@@ -11,14 +11,14 @@ namespace kfast::scene {
 namespace {
 
 /// FreeType has y up.
-Spot spot(const FT_Vector* vector)
+Vec2 spot(const FT_Vector* vector)
 {
     return {static_cast<double>(vector->x), static_cast<double>(-vector->y)};
 }
 
 Letter& letter_of(void* user) { return *static_cast<Letter*>(user); }
 
-Spot pen(const Outline& outline) { return outline.curves.empty() ? outline.from : outline.curves.back().to; }
+Vec2 pen(const Outline& outline) { return outline.curves.empty() ? outline.from : outline.curves.back().to; }
 
 int move(const FT_Vector* to, void* user)
 {

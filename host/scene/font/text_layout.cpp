@@ -71,7 +71,7 @@ private:
         return stops;
     }
 
-    bool set(const Letter& letter, Spot origin)
+    bool set(const Letter& letter, Vec2 origin)
     {
         for (const Outline& outline : letter.outlines) {
             const std::size_t points = outline.curves.size() + 1;
@@ -83,9 +83,9 @@ private:
         return true;
     }
 
-    Outline placed(const Outline& outline, Spot origin) const
+    Outline placed(const Outline& outline, Vec2 origin) const
     {
-        const auto moved = [&](Spot spot) { return origin + scale_ * spot; };
+        const auto moved = [&](Vec2 spot) { return origin + scale_ * spot; };
         Outline result{.from = moved(outline.from), .curves = {}, .closed = outline.closed};
         result.curves.reserve(outline.curves.size());
         for (const Curve& curve : outline.curves)
@@ -102,9 +102,9 @@ private:
 }
 
 std::optional<std::vector<Outline>> set_text(std::string_view text, const TextStyle& style,
-                                             std::size_t most_points)
+                                             std::size_t max_points)
 {
-    TextSetter setter{style, most_points};
+    TextSetter setter{style, max_points};
     double baseline = style.at.y;
     for (const std::u32string& line : lines_of(text)) {
         if (!setter.set(line, baseline))

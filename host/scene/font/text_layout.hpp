@@ -13,7 +13,7 @@ namespace kfast::scene {
 /// How a text is set. All lengths in pixels.
 struct TextStyle {
     Font* font = nullptr;
-    Spot at;         ///< on the baseline of the first line, where `align` says
+    Vec2 at;         ///< on the baseline of the first line, where `align` says
     double size = 0; ///< of the em
     Align align = Align::left;
     double spacing = 0; ///< added between letters
@@ -21,8 +21,8 @@ struct TextStyle {
 };
 
 /// The strokes of `text`, letter by letter, line by line; lines end with LF. The font must have all of its
-/// characters. Nothing when there are more than `most_points` points.
+/// characters. Nothing when there are more than `max_points` points.
 std::optional<std::vector<Outline>> set_text(std::string_view text, const TextStyle& style,
-                                             std::size_t most_points);
+                                             std::size_t max_points);
 
 }

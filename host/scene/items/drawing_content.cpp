@@ -18,9 +18,9 @@ namespace {
 
 class ContentReader {
 public:
-    ContentReader(KeyHolder holder, const KeyClock& clock, SceneContext& context)
+    ContentReader(KeyHolder holder, const KeyDriver& driver, SceneContext& context)
         : holder_{holder}, noun_{holder == KeyHolder::object ? "an object" : "a symbol"}, context_{context},
-          keys_{holder, clock, context}
+          keys_{holder, driver, context}
     {
     }
 
@@ -53,7 +53,7 @@ private:
         if (has_drawing && !content_.drawn.empty())
             return report_mixture(node);
         has_drawing_keys_ = has_drawing_keys_ || has_drawing;
-        content_.is_good = keys_.read(node) && content_.is_good;
+        content_.is_valid = keys_.read(node) && content_.is_valid;
     }
 
     void read_drawn(const kdl::Node& node)
@@ -68,8 +68,8 @@ private:
         if (content_.weights == nullptr)
             content_.weights = &node;
         else
-            context_.report.error(node.name_place, "this object has weights already, on " +
-                                                       context_.report.line(content_.weights->name_place));
+            context_.report.error(node.name_span, "this object has weights already, on " +
+                                                      context_.report.line(content_.weights->name_span));
     }
 
     void read_timed(const kdl::Node& node)
@@ -82,7 +82,7 @@ private:
     {
         if (!std::exchange(is_mixed_, true))
             context_.report.error(
-                node.name_place, std::string{noun_} + " has its drawings either in keys or without, not both",
+                node.name_span, std::string{noun_} + " has its drawings either in keys or without, not both",
                 "put the shapes into a key: key 0 { … }");
     }
 
@@ -90,15 +90,15 @@ private:
     {
         if (node.name == skeleton_name)
             return report_skeleton(node);
-        content_.is_good = context_.report.error(node.name_place,
-                                                 std::string{noun_} + " has no node " + in_quotes(node.name),
-                                                 word_remedy(node.name, names_in_drawing(holder_)));
+        content_.is_valid =
+            context_.report.error(node.name_span, std::string{noun_} + " has no node " + in_quotes(node.name),
+                                  word_hint(node.name, names_in_drawing(holder_)));
     }
 
     void report_skeleton(const kdl::Node& node)
     {
-        content_.is_good = context_.report.error(node.name_place, "a skeleton stands in a key of an object",
-                                                 "write key 0 { skeleton { … } }");
+        content_.is_valid = context_.report.error(node.name_span, "a skeleton stands in a key of an object",
+                                                  "write key 0 { skeleton { … } }");
     }
 
     KeyHolder holder_;
@@ -112,10 +112,10 @@ private:
 
 }
 
-DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                     SceneContext& context)
 {
-    ContentReader content{holder, clock, context};
+    ContentReader content{holder, driver, context};
     for (const kdl::Node& child : node.children)
         if (!context.report.full())
             content.read(child);

@@ -16,13 +16,13 @@ struct DrawingContent {
     std::vector<TimedQuantity> timed;    ///< of objects
     std::vector<const kdl::Node*> drawn; ///< directly inside: for these is_drawn() holds
     const kdl::Node* weights = nullptr;  ///< only of an object
-    bool is_good = true;                 ///< all nodes were known, all keys have their time
+    bool is_valid = true;                ///< all nodes were known, all keys have their time
 };
 
 /// The nodes that such a thing may hold. `holder` is not KeyHolder::group, here and below.
 std::vector<std::string_view> names_in_drawing(KeyHolder holder);
 
-DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                     SceneContext& context);
 
 }

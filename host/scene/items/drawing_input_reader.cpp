@@ -5,7 +5,7 @@
 #include "host/scene/shapes/shape_reader.hpp"
 #include "host/scene/values/input_type.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
@@ -19,7 +19,7 @@
 namespace kfast::scene {
 namespace {
 
-constexpr Range amounts{1, most_live_points};
+constexpr Range amounts{1, max_live_points};
 
 template <std::size_t DrawingInput::*amount>
 bool read_amount(const kdl::Value& value, DrawingInput& input, SceneContext& context)
@@ -44,15 +44,15 @@ Drawing read_shape(const kdl::Node& node, SceneContext& context)
     reader.read(node);
     Drawing drawing = reader.take();
     if (!std::ranges::all_of(drawing.strokes, is_straight))
-        context.report.error(node.name_place, "the drawing of an input has straight lines only",
+        context.report.error(node.name_span, "the drawing of an input has straight lines only",
                              "draw it with lines, polygons, or rectangles without round corners");
     return drawing;
 }
 
 void report_unknown(const kdl::Node& node, SceneContext& context)
 {
-    context.report.error(node.name_place, "the drawing of an input has no node " + in_quotes(node.name),
-                         word_remedy(node.name, shape_names()));
+    context.report.error(node.name_span, "the drawing of an input has no node " + in_quotes(node.name),
+                         word_hint(node.name, shape_names()));
 }
 
 Drawing read_shapes(const kdl::Node& node, SceneContext& context)
@@ -73,17 +73,17 @@ Drawing read_shapes(const kdl::Node& node, SceneContext& context)
 
 void check_amounts(const kdl::Node& node, const DrawingInput& input, SceneContext& context)
 {
-    const std::size_t points = point_count(input.usual);
-    const std::size_t strokes = input.usual.strokes.size();
+    const std::size_t points = point_count(input.default_value);
+    const std::size_t strokes = input.default_value.strokes.size();
     if (input.strokes > input.points)
-        context.report.error(property_place(node, "strokes"), "these are more strokes than points",
+        context.report.error(property_span(node, "strokes"), "these are more strokes than points",
                              "each stroke has a point at least");
     if (points > input.points)
-        context.report.error(property_place(node, "points"),
+        context.report.error(property_span(node, "points"),
                              "the drawing inside has " + counted(points, "point"),
                              "write points=" + std::to_string(points) + ", or draw less");
     if (strokes > input.strokes)
-        context.report.error(property_place(node, "strokes"),
+        context.report.error(property_span(node, "strokes"),
                              "the drawing inside has " + counted(strokes, "stroke"),
                              "write strokes=" + std::to_string(strokes) + ", or draw less");
 }
@@ -93,14 +93,14 @@ void check_amounts(const kdl::Node& node, const DrawingInput& input, SceneContex
 DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context)
 {
     DrawingInput input;
-    const bool is_good = read_properties(node, drawing_rules, input, context);
-    input.usual = read_shapes(node, context);
-    take_points(1, node.name_place, context);
-    if (is_good)
+    const bool is_valid = read_properties(node, drawing_rules, input, context);
+    input.default_value = read_shapes(node, context);
+    take_points(1, node.name_span, context);
+    if (is_valid)
         check_amounts(node, input, context);
     return input;
 }
 
-std::vector<PropertyWords> drawing_input_words() { return words_of(drawing_rules); }
+std::vector<PropertySchema> drawing_input_words() { return words_of(drawing_rules); }
 
 }

@@ -3,13 +3,13 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 namespace kfast::scene {
 
 /// What `node`, an input, says of a drawing; what is wrong is reported.
 DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context);
 
-std::vector<PropertyWords> drawing_input_words();
+std::vector<PropertySchema> drawing_input_words();
 
 }

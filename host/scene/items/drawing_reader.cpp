@@ -7,7 +7,7 @@
 #include "host/scene/shapes/wire_reader.hpp"
 #include "host/scene/values/placement.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/property_name.hpp"
@@ -26,7 +26,7 @@ bool lies_flat(const kdl::Node& use, const ItemValues& values, SceneContext& con
     for (const Property property : {Property::z, Property::rotation_x, Property::rotation_y})
         if (values.get(property))
             return context.report.error(
-                property_place(use, property_name(property)),
+                property_span(use, property_name(property)),
                 "among shapes a use is a copy, which lies in the plane of its drawing",
                 "let the use be all that an object draws, or turn the object");
     return true;
@@ -34,7 +34,7 @@ bool lies_flat(const kdl::Node& use, const ItemValues& values, SceneContext& con
 
 bool report_reach(const kdl::Node& node, SceneContext& context)
 {
-    return context.report.error(node.name_place,
+    return context.report.error(node.name_span,
                                 "this " + node.name + " reaches more than 2047 px from the origin");
 }
 
@@ -58,7 +58,7 @@ void DrawingReader::read(const kdl::Node& node)
 {
     const bool is_empty = node.name == empty_form.name;
     if (is_empty ? has_strokes_ : is_empty_)
-        context_.report.error(node.name_place, "\"empty\" stands alone", "remove it, or the shapes");
+        context_.report.error(node.name_span, "\"empty\" stands alone", "remove it, or the shapes");
     if (is_empty)
         read_empty(node);
     else
@@ -92,7 +92,7 @@ void DrawingReader::read_strokes(const kdl::Node& node)
                 return;
         return;
     }
-    for (Outline& outline : read_shape(node, most_points - points_, context_))
+    for (Outline& outline : read_shape(node, max_points - points_, context_))
         if (!add(std::move(outline), node))
             return;
 }
@@ -102,7 +102,7 @@ bool DrawingReader::goes_with_others(const kdl::Node& node)
 {
     const bool has_depth = is_wire(node.name);
     if (has_depths_.value_or(has_depth) != has_depth && !std::exchange(is_mixed_, true))
-        context_.report.error(node.name_place,
+        context_.report.error(node.name_span,
                               "flat shapes and such with depth do not go together in one drawing",
                               "put them into an object each, and a group around both");
     has_depths_ = has_depths_.value_or(has_depth);
@@ -115,7 +115,7 @@ void DrawingReader::copy(const kdl::Node& node)
     if (!use)
         return;
     const SymbolEntry& symbol = *use->symbol;
-    const Place name = node.arguments.front().place;
+    const SourceSpan name = node.arguments.front().place;
     if (!symbol.still) {
         context_.report.error(
             name, "the symbol " + in_quotes(symbol.name) + " has keys, which do not fit here",
@@ -147,7 +147,7 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
 {
     if (!in_range(outline))
         return report_reach(node, context_);
-    if (!take_points(outline.curves.size() + 1, node.name_place, context_))
+    if (!take_points(outline.curves.size() + 1, node.name_span, context_))
         return false;
     Stroke stroke = quantized(outline);
     if (!has_room(stroke.segments.size() + 1, node))
@@ -163,7 +163,7 @@ bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
 {
     if (!in_range(wire))
         return report_reach(node, context_);
-    if (!take_points(2 * wire.size(), node.name_place, context_) || !has_room(wire.size(), node))
+    if (!take_points(2 * wire.size(), node.name_span, context_) || !has_room(wire.size(), node))
         return false;
     WireStroke stroke = quantized(wire);
     drawing_.strokes.push_back(std::move(stroke.flat));
@@ -173,8 +173,8 @@ bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
 
 bool DrawingReader::has_room(std::size_t points, const kdl::Node& node)
 {
-    if (points > most_points - points_)
-        return context_.report.error(node.name_place, too_many_points());
+    if (points > max_points - points_)
+        return context_.report.error(node.name_span, too_many_points());
     points_ += points;
     return true;
 }
@@ -185,6 +185,6 @@ std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names)
     return names;
 }
 
-NodeWords empty_words() { return {empty_form.name, empty_form}; }
+NodeSchema empty_words() { return {empty_form.name, empty_form}; }
 
 }

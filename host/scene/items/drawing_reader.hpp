@@ -5,7 +5,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -63,6 +63,6 @@ private:
 
 /// The ids of nodes among which there are such that draw.
 std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names);
-NodeWords empty_words();
+NodeSchema empty_words();
 
 }

@@ -1,7 +1,7 @@
 #include "host/scene/items/group_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/scene/items/double_quantity.hpp"
+#include "host/scene/items/duplicate_quantity.hpp"
 #include "host/scene/items/item_reader.hpp"
 #include "host/scene/items/key_list.hpp"
 #include "host/scene/items/track_builder.hpp"
@@ -9,7 +9,7 @@
 #include "host/scene/values/item_values.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
@@ -25,7 +25,7 @@ constexpr NodeForm group_form{group_name, "group NAME { items }", 0, 1, true};
 
 struct GroupProperties {
     ItemValues values;
-    KeyClock clock;
+    KeyDriver driver;
 };
 
 constexpr auto group_rules =
@@ -50,8 +50,8 @@ std::vector<std::string_view> names_inside()
 
 void report_unknown(const kdl::Node& node, SceneContext& context)
 {
-    context.report.error(node.name_place, "a group has no node " + in_quotes(node.name),
-                         word_remedy(node.name, names_inside()));
+    context.report.error(node.name_span, "a group has no node " + in_quotes(node.name),
+                         word_hint(node.name, names_inside()));
 }
 
 /// What stands inside of a group.
@@ -87,15 +87,15 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& c
 {
     if (!fits(node, group_form, context.report))
         return std::nullopt;
-    const Place place =
-        node.arguments.empty() ? node.name_place : span(node.name_place, node.arguments.front().place);
+    const SourceSpan place =
+        node.arguments.empty() ? node.name_span : span(node.name_span, node.arguments.front().place);
     if (depth == deepest_item) {
         context.report.error(place, too_deep());
         return std::nullopt;
     }
     GroupProperties properties;
     read_properties(node, group_rules, properties, context);
-    GroupContent content{{}, {KeyHolder::group, properties.clock, context}, {}};
+    GroupContent content{{}, {KeyHolder::group, properties.driver, context}, {}};
     for (const kdl::Node& child : node.children)
         if (!context.report.full())
             read_inside(child, depth + 1, content, context);
@@ -104,14 +104,14 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& c
         context.report.error(place, "this group holds nothing", "add { object NAME … }");
     const std::vector<ItemKey> keys = content.keys.take();
     warn_of_idle_input(node, !keys.empty(), context);
-    refuse_double_quantities(content.timed, properties.values, keys, context);
+    refuse_duplicate_quantities(content.timed, properties.values, keys, context);
     auto tracks =
-        build_tracks(node, properties.values, {keys, properties.clock.clock()}, content.timed, context);
+        build_tracks(node, properties.values, {keys, properties.driver.driver()}, content.timed, context);
     return Item{read_group_name(node, context), std::move(tracks), std::move(content.group), place,
                 take_path(content.timed)};
 }
 
-NodeWords group_words()
+NodeSchema group_words()
 {
     auto inside = names_inside();
     std::ranges::replace(inside, key_name, group_key_id);

@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 #include <string_view>
@@ -16,6 +16,6 @@ inline constexpr std::string_view group_name = "group";
 /// around it.
 std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& context);
 
-NodeWords group_words();
+NodeSchema group_words();
 
 }

@@ -44,7 +44,7 @@ Things governed_by_both(const ItemKey& key)
 
 void warn(const ItemKey& key, std::string_view property, SceneContext& context)
 {
-    context.report.warning(property_place(*key.node, property),
+    context.report.warning(property_span(*key.node, property),
                            "this " + std::string{property} + " governs nothing",
                            "remove it, or let a later key set what this one sets");
 }

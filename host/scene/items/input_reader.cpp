@@ -8,7 +8,7 @@
 #include "host/scene/values/input_type.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -41,9 +41,9 @@ const NodeForm& form_of(InputType type)
 }
 
 struct NumberProperties {
-    std::int32_t least = 0;
-    std::int32_t most = 1000;
-    std::optional<std::int32_t> usual;
+    std::int32_t min = 0;
+    std::int32_t max = 1000;
+    std::optional<std::int32_t> default_value;
 };
 
 template <auto NumberProperties::*value>
@@ -58,23 +58,24 @@ bool read_value(const kdl::Value& written, NumberProperties& input, SceneContext
 constexpr std::array number_rules{
     PropertyRule<NumberProperties>{"kind", check_own_type<NumberProperties>,
                                    ValueKind::one_of<input_types>()},
-    PropertyRule<NumberProperties>{"min", read_value<&NumberProperties::least>,
+    PropertyRule<NumberProperties>{"min", read_value<&NumberProperties::min>,
                                    ValueKind::number(input_values)},
-    PropertyRule<NumberProperties>{"max", read_value<&NumberProperties::most>,
+    PropertyRule<NumberProperties>{"max", read_value<&NumberProperties::max>,
                                    ValueKind::number(input_values)},
-    PropertyRule<NumberProperties>{"default", read_value<&NumberProperties::usual>,
+    PropertyRule<NumberProperties>{"default", read_value<&NumberProperties::default_value>,
                                    ValueKind::number(input_values)},
 };
 
 bool check_range(const kdl::Node& node, const NumberProperties& input, SceneContext& context)
 {
-    if (input.most <= input.least)
-        return context.report.error(property_place(node, has_property(node, "max") ? "max" : "min"),
+    if (input.max <= input.min)
+        return context.report.error(property_span(node, has_property(node, "max") ? "max" : "min"),
                                     "the range of this input is empty",
                                     "let max= be greater than min= (0 and 1 if they are left out)");
-    if (input.usual.value_or(input.least) < input.least || input.usual.value_or(input.most) > input.most)
-        return context.report.error(property_place(node, "default"), "this value is not within min and max",
-                                    schema::allowed({input.least / 1000.0, input.most / 1000.0}));
+    if (input.default_value.value_or(input.min) < input.min ||
+        input.default_value.value_or(input.max) > input.max)
+        return context.report.error(property_span(node, "default"), "this value is not within min and max",
+                                    schema::allowed({input.min / 1000.0, input.max / 1000.0}));
     return true;
 }
 
@@ -83,12 +84,12 @@ InputEntry read_number_input(const kdl::Node& node, SceneContext& context)
     NumberProperties properties;
     if (read_properties(node, number_rules, properties, context))
         check_range(node, properties, context);
-    const bool has_range = properties.most > properties.least;
-    InputEntry entry{.input = {.name = {}, .least = properties.least, .most = properties.most},
+    const bool has_range = properties.max > properties.min;
+    InputEntry entry{.input = {.name = {}, .min = properties.min, .max = properties.max},
                      .place = {},
                      .is_range_known = has_range};
-    entry.input.usual =
-        properties.usual.value_or(has_range ? std::clamp(0, properties.least, properties.most) : 0);
+    entry.input.default_value =
+        properties.default_value.value_or(has_range ? std::clamp(0, properties.min, properties.max) : 0);
     return entry;
 }
 
@@ -109,7 +110,7 @@ InputEntry read_entry(const kdl::Node& node, SceneContext& context)
 }
 
 /// What makes use of such an input.
-std::string remedy_of_unused(const Input& input)
+std::string hint_of_unused(const Input& input)
 {
     const std::string name = kdl::string_form(input.name);
     switch (input.type) {
@@ -132,15 +133,15 @@ void add_input(const kdl::Node& node, SceneContext& context)
     InputEntry entry = read_entry(node, context);
     const kdl::Value& value = node.arguments.front();
     const auto name = read_name(value, context.report);
-    const Place place = span(node.name_place, value.place);
+    const SourceSpan place = span(node.name_span, value.place);
     if (!name)
         return;
     if (const InputEntry* const earlier = context.inputs.find(*name)) {
-        report_double("an input", *name, place, earlier->place, context.report);
+        report_duplicate("an input", *name, place, earlier->place, context.report);
         return;
     }
-    if (context.inputs.entries.size() == most_inputs)
-        context.report.error(place, "a scene has at most " + std::to_string(most_inputs) + " inputs");
+    if (context.inputs.entries.size() == max_inputs)
+        context.report.error(place, "a scene has at most " + std::to_string(max_inputs) + " inputs");
     // One that is wrong is kept, so that what names it is not wrong as well.
     entry.input.name = *name;
     entry.place = place;
@@ -155,20 +156,20 @@ void warn_of_unused_inputs(SceneContext& context)
                                    "the input " + in_quotes(entry.input.name) +
                                        (entry.input.type == InputType::number ? " moves" : " shows") +
                                        " nothing",
-                                   remedy_of_unused(entry.input));
+                                   hint_of_unused(entry.input));
 }
 
-std::vector<NodeWords> input_words()
+std::vector<NodeSchema> input_words()
 {
-    std::vector<NodeWords> words{{input_name, number_form, {any_name}, words_of(number_rules)},
-                                 {input_name, text_form, {any_name}, text_input_words()},
-                                 {input_name,
-                                  drawing_form,
-                                  {any_name},
-                                  drawing_input_words(),
-                                  {shape_names().begin(), shape_names().end()}}};
+    std::vector<NodeSchema> words{{input_name, number_form, {any_name}, words_of(number_rules)},
+                                  {input_name, text_form, {any_name}, text_input_words()},
+                                  {input_name,
+                                   drawing_form,
+                                   {any_name},
+                                   drawing_input_words(),
+                                   {shape_names().begin(), shape_names().end()}}};
     for (std::size_t i = 0; i < words.size(); ++i) {
-        PropertyWords& kind = words[i].properties.front();
+        PropertySchema& kind = words[i].properties.front();
         kind.kind.words = kind.kind.words.subspan(i, 1);
         kind.required = input_types[i].meaning != InputType::number;
     }

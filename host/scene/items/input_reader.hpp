@@ -2,7 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <string_view>
 
@@ -17,6 +17,6 @@ void add_input(const kdl::Node& node, SceneContext& context);
 void warn_of_unused_inputs(SceneContext& context);
 
 /// Of numbers, texts and drawings.
-std::vector<NodeWords> input_words();
+std::vector<NodeSchema> input_words();
 
 }

@@ -44,10 +44,10 @@ void read_item(const kdl::Node& node, int depth, std::vector<Item>& items, Scene
 void refuse_crowded_order(std::span<const Item> items, SceneContext& context)
 {
     const auto ordered = std::ranges::find_if(items, has_order);
-    if (items.size() > most_ordered_items && ordered != items.end())
+    if (items.size() > max_ordered_items && ordered != items.end())
         context.report.error(ordered->place,
                              "an item with an order lies among " + std::to_string(items.size()) +
-                                 " items; the format holds " + std::to_string(most_ordered_items),
+                                 " items; the format holds " + std::to_string(max_ordered_items),
                              "put it into a group, together with those that it passes");
 }
 

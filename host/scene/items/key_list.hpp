@@ -11,8 +11,8 @@ namespace kfast::scene {
 /// The keys of one item or symbol, in the order of their moments.
 class KeyList {
 public:
-    KeyList(KeyHolder holder, const KeyClock& clock, SceneContext& context)
-        : holder_{holder}, clock_{clock}, context_{context}
+    KeyList(KeyHolder holder, const KeyDriver& driver, SceneContext& context)
+        : holder_{holder}, driver_{driver}, context_{context}
     {
     }
 
@@ -25,7 +25,7 @@ private:
     bool in_order(const ItemKey& key);
 
     KeyHolder holder_;
-    KeyClock clock_;
+    KeyDriver driver_;
     SceneContext& context_;
     std::vector<ItemKey> keys_;
 };

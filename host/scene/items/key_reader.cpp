@@ -3,7 +3,7 @@
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
@@ -82,8 +82,8 @@ std::vector<std::string_view> names_inside(KeyHolder holder)
 
 void report_unknown(const kdl::Node& node, KeyHolder holder, SceneContext& context)
 {
-    context.report.error(node.name_place, "a key has no node " + in_quotes(node.name),
-                         word_remedy(node.name, names_inside(holder)));
+    context.report.error(node.name_span, "a key has no node " + in_quotes(node.name),
+                         word_hint(node.name, names_inside(holder)));
 }
 
 void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, SceneContext& context)
@@ -97,7 +97,7 @@ void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, SceneCo
         else if (!is_skeleton(child))
             report_unknown(child, holder, context);
     }
-    take_points(1, node.name_place, context);
+    take_points(1, node.name_span, context);
     key.drawing = drawing.take();
     key.depths = drawing.take_depths();
     key.sectors = drawing.take_sectors();
@@ -109,11 +109,11 @@ const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, SceneCont
     if (skeleton == key.children.end())
         return nullptr;
     if (holder == KeyHolder::symbol)
-        context.report.error(skeleton->name_place, "the key of a symbol has no skeleton",
+        context.report.error(skeleton->name_span, "the key of a symbol has no skeleton",
                              "put it into a key of the object that uses the symbol");
     const auto second = std::find_if(skeleton + 1, key.children.end(), is_skeleton);
     if (second != key.children.end())
-        context.report.error(second->name_place, "this key has a skeleton already",
+        context.report.error(second->name_span, "this key has a skeleton already",
                              "put all backbones into one skeleton");
     return &*skeleton;
 }
@@ -122,7 +122,7 @@ const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, SceneCont
 
 bool holds_drawing(const kdl::Node& key) { return !std::ranges::all_of(key.children, is_skeleton); }
 
-std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                 SceneContext& context)
 {
     if (!fits(node, holder == KeyHolder::group ? group_key_form : drawing_key_form, context.report))
@@ -130,21 +130,21 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const K
     const kdl::Value& moment = node.arguments.front();
     ItemKey key;
     key.node = &node;
-    key.place = span(node.name_place, moment.place);
+    key.place = span(node.name_span, moment.place);
     read_key_properties(node, holder, key, context);
     key.skeleton = find_skeleton(node, holder, context);
     if (holds_drawing(node))
         read_drawing(node, holder, key, context);
     else if (key.skeleton == nullptr && std::ranges::none_of(node.properties, is_setting))
         report_idle_key(key, holder, context);
-    const auto time = clock.read_moment(moment, context);
+    const auto time = driver.read_moment(moment, context);
     if (!time)
         return std::nullopt;
     key.time = *time;
     return key;
 }
 
-std::vector<NodeWords> key_words()
+std::vector<NodeSchema> key_words()
 {
     return {{key_name,
              drawing_key_form,

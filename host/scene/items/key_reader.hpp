@@ -5,9 +5,9 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/values/item_values.hpp"
-#include "host/scene/values/key_clock.hpp"
+#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/key_laws.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -16,7 +16,7 @@
 namespace kfast::scene {
 
 inline constexpr std::string_view key_name = "key";
-// Ids (NodeWords) of those that do not stand in objects.
+// Ids (NodeSchema) of those that do not stand in objects.
 inline constexpr std::string_view group_key_id = "key of group";
 inline constexpr std::string_view symbol_key_id = "key of symbol";
 inline constexpr std::string_view skeleton_name = "skeleton";
@@ -32,7 +32,7 @@ enum class KeyHolder : std::uint8_t {
 struct ItemKey {
     const kdl::Node* node = nullptr;
     Time time;
-    Place place; ///< of its name and time
+    SourceSpan place; ///< of its name and time
     ItemValues values;
     KeyLaws laws;
     std::optional<Match> match;
@@ -47,10 +47,10 @@ bool holds_drawing(const kdl::Node& key);
 
 /// Nothing when it cannot be said when the key is, which is reported like everything else. The key points
 /// to `node`.
-std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyClock& clock,
+std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                 SceneContext& context);
 
 /// Of keys of objects, of groups and uses, and of symbols.
-std::vector<NodeWords> key_words();
+std::vector<NodeSchema> key_words();
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <cmath>
@@ -112,11 +112,11 @@ constexpr std::array beam_rules{
 void check_beam(const kdl::Node& node, const BeamStyle& style, SceneContext& context)
 {
     if (style.has_hatching() && !has_property(node, "fill"))
-        context.report.error(property_place(node, "beam"), "this object has no fill to hatch",
+        context.report.error(property_span(node, "beam"), "this object has no fill to hatch",
                              "add fill=COLOUR, or use beam=outline");
     for (const std::string_view property : {"hatch", "hatch-angle"})
         if (has_property(node, property) && !style.has_hatching())
-            context.report.warning(property_place(node, property),
+            context.report.warning(property_span(node, property),
                                    std::string{property} + " does nothing without a hatching",
                                    "add beam=hatch or remove " + std::string{property});
 }
@@ -158,7 +158,7 @@ std::optional<StrokeStyle> ObjectProperties::stroke_style() const
     return style;
 }
 
-ObjectProperties read_object_properties(const kdl::Node& node, Place place, SceneContext& context)
+ObjectProperties read_object_properties(const kdl::Node& node, SourceSpan place, SceneContext& context)
 {
     ObjectProperties properties;
     read_properties(node, object_rules, properties, context);
@@ -169,6 +169,6 @@ ObjectProperties read_object_properties(const kdl::Node& node, Place place, Scen
     return properties;
 }
 
-std::vector<PropertyWords> object_property_words() { return words_of(object_rules); }
+std::vector<PropertySchema> object_property_words() { return words_of(object_rules); }
 
 }

@@ -4,8 +4,8 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/values/item_values.hpp"
-#include "host/scene/values/key_clock.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/scene/values/key_driver.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace kfast::scene {
 /// What the node of an object says itself.
 struct ObjectProperties {
     ItemValues values;
-    KeyClock clock; ///< of its keys
+    KeyDriver driver; ///< of its keys
     FillRule fill_rule = FillRule::nonzero;
     StrokeStyle stroke; ///< but for colour and width, which are among `values`
     BeamStyle beam;
@@ -28,8 +28,8 @@ struct ObjectProperties {
 };
 
 /// Reports what is wrong; that there is neither fill nor stroke at `place`.
-ObjectProperties read_object_properties(const kdl::Node& node, Place place, SceneContext& context);
+ObjectProperties read_object_properties(const kdl::Node& node, SourceSpan place, SceneContext& context);
 
-std::vector<PropertyWords> object_property_words();
+std::vector<PropertySchema> object_property_words();
 
 }

@@ -1,9 +1,9 @@
 #include "host/scene/items/object_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/scene/items/double_quantity.hpp"
 #include "host/scene/items/drawing_content.hpp"
 #include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/items/duplicate_quantity.hpp"
 #include "host/scene/items/mirror.hpp"
 #include "host/scene/items/object_properties.hpp"
 #include "host/scene/items/skeleton_reader.hpp"
@@ -16,7 +16,7 @@
 #include "host/scene/values/input_user.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/words/property_name.hpp"
 
@@ -42,7 +42,7 @@ constexpr std::array painted{
     Painted{Property::width, "stroke"},
 };
 
-void report_paint_of_nothing(std::string_view needs, Place place, SceneContext& context)
+void report_paint_of_nothing(std::string_view needs, SourceSpan place, SceneContext& context)
 {
     const std::string name{needs};
     context.report.error(place, "this object has no " + name + " to change",
@@ -56,7 +56,7 @@ void refuse_paint_of_nothing(const kdl::Node& object, const DrawingContent& cont
             continue;
         for (const ItemKey& key : content.keys)
             if (key.values.get(paint.property))
-                report_paint_of_nothing(paint.needs, property_place(*key.node, property_name(paint.property)),
+                report_paint_of_nothing(paint.needs, property_span(*key.node, property_name(paint.property)),
                                         context);
         for (const TimedQuantity& quantity : content.timed)
             if (gives(quantity, paint.property))
@@ -73,7 +73,7 @@ bool has_skeleton(const ItemKey& key) { return key.skeleton != nullptr; }
 class ObjectReader {
 public:
     ObjectReader(const kdl::Node& node, SceneContext& context)
-        : node_{node}, place_{span(node.name_place, node.arguments.front().place)}, context_{context},
+        : node_{node}, place_{span(node.name_span, node.arguments.front().place)}, context_{context},
           properties_{read_object_properties(node, place_, context)}
     {
     }
@@ -81,7 +81,7 @@ public:
     Item read(std::string_view name)
     {
         context_.line_letters.reset();
-        DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.clock, context_);
+        DrawingContent content = read_drawing_content(node_, KeyHolder::object, properties_.driver, context_);
         warn_of_idle_input(node_, !content.keys.empty(), context_);
         refuse_paint_of_nothing(node_, content, context_);
         Object object{.fill = properties_.fill_colour(),
@@ -96,7 +96,7 @@ public:
         if (!object.stroke)
             warn_of_filled_lines();
         auto tracks = build_tracks(node_, properties_.values,
-                                   {content.keys, properties_.clock.clock(), object.has_depths},
+                                   {content.keys, properties_.driver.driver(), object.has_depths},
                                    content.timed, context_);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
@@ -126,7 +126,7 @@ private:
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, context_);
         object.backbone_keys = read_skeletons(content.keys, context_);
-        object.clock = properties_.clock.clock();
+        object.driver = properties_.driver.driver();
         object.live = live_;
         refuse_two_carriers(content.keys);
     }
@@ -134,7 +134,7 @@ private:
     void set_wires(const DrawingContent& content, Object& object)
     {
         object.has_depths = true;
-        object.clock = properties_.clock.clock();
+        object.driver = properties_.driver.driver();
         refuse_mixed_depths(object.keys, context_);
         refuse_beside_wires(node_, content, object.keys, context_);
     }
@@ -142,7 +142,7 @@ private:
     void set_label(const DrawingContent& content, Object& object)
     {
         refuse_carriers_of_label(content);
-        refuse_doubles(content);
+        refuse_duplicates(content);
         object.label = read_label(*content.drawn.front(), context_);
         if (object.label)
             set_default_pivot(object.label->at, properties_.values);
@@ -150,18 +150,18 @@ private:
 
     void refuse_carriers_of_label(const DrawingContent& content)
     {
-        constexpr auto remedy = "remove this, or write the words themselves";
-        const auto refuse = [this](Place place, std::string_view carrier) {
-            context_.report.error(place, "the text of an input has no " + std::string{carrier}, remedy);
+        constexpr auto hint = "remove this, or write the words themselves";
+        const auto refuse = [this](SourceSpan place, std::string_view carrier) {
+            context_.report.error(place, "the text of an input has no " + std::string{carrier}, hint);
         };
         for (const std::string_view property : {"skin", "bone"})
             if (has_property(node_, property))
-                refuse(property_place(node_, property), property);
+                refuse(property_span(node_, property), property);
         if (content.weights != nullptr)
-            refuse(content.weights->name_place, "weights");
+            refuse(content.weights->name_span, "weights");
         const auto key = std::ranges::find_if(content.keys, has_skeleton);
         if (key != content.keys.end())
-            refuse(key->skeleton->name_place, "skeleton");
+            refuse(key->skeleton->name_span, "skeleton");
     }
 
     std::vector<Key> read_drawings(DrawingContent& content)
@@ -170,10 +170,10 @@ private:
             return read_live(*properties_.live, content);
         if (is_placed_symbol(content))
             return take_symbol(*content.drawn.front(), content);
-        refuse_doubles(content);
+        refuse_duplicates(content);
         std::vector<Key> keys =
             content.drawn.empty() ? take_drawings(content.keys) : read_still(content.drawn);
-        if (keys.empty() && content.is_good)
+        if (keys.empty() && content.is_valid)
             report_no_drawing();
         set_default_pivot(keys, properties_.values);
         return keys;
@@ -182,13 +182,13 @@ private:
     /// The drawing is that of the input, and there are no keys of it.
     std::vector<Key> read_live(const kdl::Value& name, DrawingContent& content)
     {
-        refuse_doubles(content);
+        refuse_duplicates(content);
         refuse_own_drawings(content);
         live_ = use_input(name, InputType::drawing, context_);
         if (live_)
             set_default_pivot({{.time = {},
                                 .laws = {},
-                                .drawing = context_.inputs.entries[*live_].input.drawing.usual,
+                                .drawing = context_.inputs.entries[*live_].input.drawing.default_value,
                                 .place = {}}},
                               properties_.values);
         return {};
@@ -197,21 +197,21 @@ private:
     void refuse_own_drawings(DrawingContent& content)
     {
         for (const kdl::Node* drawn : content.drawn)
-            report_own_drawing(drawn->name_place);
+            report_own_drawing(drawn->name_span);
         for (const Key& key : take_drawings(content.keys))
             report_own_drawing(key.place);
         for (ItemKey& key : content.keys)
             if (const kdl::Node* const skeleton = std::exchange(key.skeleton, nullptr))
-                report_own_drawing(skeleton->name_place);
+                report_own_drawing(skeleton->name_span);
         if (properties_.skin != nullptr)
-            report_own_drawing(property_place(node_, "skin"));
+            report_own_drawing(property_span(node_, "skin"));
         if (content.weights != nullptr && properties_.skin == nullptr)
-            report_own_drawing(content.weights->name_place);
+            report_own_drawing(content.weights->name_span);
         properties_.skin = nullptr;
         content.weights = nullptr;
     }
 
-    void report_own_drawing(Place place)
+    void report_own_drawing(SourceSpan place)
     {
         context_.report.error(place, "this object shows an input, and has no drawing or skeleton of its own",
                               "put shapes into the input, or remove live=…");
@@ -244,14 +244,14 @@ private:
             return {};
         for (const Property property : placed)
             take_place(node, *use, property);
-        refuse_doubles(content);
+        refuse_duplicates(content);
         mirror(use->mirror, properties_.values, content.keys, content.timed);
-        if (use->symbol->keys.size() > 1 && !properties_.clock.is_time())
-            context_.report.error(node.name_place,
+        if (use->symbol->keys.size() > 1 && !properties_.driver.is_time())
+            context_.report.error(node.name_span,
                                   "this object goes by an input, but the drawings of its symbol by the time",
                                   "leave out input=, or draw the keys in the object");
         for (const Key& key : use->symbol->keys)
-            if (!take_points(point_count(key.drawing) + point_count(key.depths) + 1, node.name_place,
+            if (!take_points(point_count(key.drawing) + point_count(key.depths) + 1, node.name_span,
                              context_))
                 return {};
         return use->symbol->keys;
@@ -263,23 +263,23 @@ private:
         if (!value)
             return;
         if (properties_.values.get(property))
-            context_.report.error(node.name_place,
+            context_.report.error(node.name_span,
                                   "both the object and its use give " + std::string{property_name(property)},
                                   "leave it to one of them");
         properties_.values[property] = value;
     }
 
     /// Before anything is in the values of the object that neither it nor its use says.
-    void refuse_doubles(const DrawingContent& content)
+    void refuse_duplicates(const DrawingContent& content)
     {
-        refuse_double_quantities(content.timed, properties_.values, content.keys, context_);
+        refuse_duplicate_quantities(content.timed, properties_.values, content.keys, context_);
     }
 
     void refuse_two_carriers(const std::vector<ItemKey>& keys)
     {
         const auto key = std::ranges::find_if(keys, has_skeleton);
         if (key != keys.end() && has_property(node_, "skin"))
-            context_.report.error(key->skeleton->name_place,
+            context_.report.error(key->skeleton->name_span,
                                   "this object has a skin; bones or backbones carry an object, not both",
                                   "remove the skin, or the skeletons from the keys");
     }
@@ -295,7 +295,7 @@ private:
     }
 
     const kdl::Node& node_;
-    Place place_;
+    SourceSpan place_;
     SceneContext& context_;
     ObjectProperties properties_;
     std::optional<std::size_t> live_ = {}; ///< the input that is shown
@@ -315,7 +315,7 @@ std::optional<Item> read_object(const kdl::Node& node, SceneContext& context)
     return item;
 }
 
-NodeWords object_words()
+NodeSchema object_words()
 {
     return {object_name,
             object_form,

@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 #include <string_view>
@@ -15,6 +15,6 @@ inline constexpr std::string_view object_name = "object";
 /// Nothing when the node gives no usable object; what is wrong is reported.
 std::optional<Item> read_object(const kdl::Node& node, SceneContext& context);
 
-NodeWords object_words();
+NodeSchema object_words();
 
 }

@@ -4,7 +4,7 @@
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/skeleton/backbone_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/counted.hpp"
 #include "host/text/glyph.hpp"
@@ -25,25 +25,25 @@ constexpr std::array<std::string_view, 4> names_inside{backbone_name, "width", "
 bool report_inside(const kdl::Node& node, SceneContext& context)
 {
     if (is_side(node.name))
-        return context.report.error(node.name_place, "this " + node.name + " has no backbone in front of it",
+        return context.report.error(node.name_span, "this " + node.name + " has no backbone in front of it",
                                     "write it behind the backbone that it belongs to");
-    return context.report.error(node.name_place, "a skeleton has no node " + in_quotes(node.name),
-                                word_remedy(node.name, names_inside));
+    return context.report.error(node.name_span, "a skeleton has no node " + in_quotes(node.name),
+                                word_hint(node.name, names_inside));
 }
 
 /// What belongs to each backbone. Nothing if something belongs to none.
 std::optional<std::vector<BackboneNodes>> sorted(const kdl::Node& skeleton, SceneContext& context)
 {
     std::vector<BackboneNodes> backbones;
-    bool is_good = true;
+    bool is_valid = true;
     for (const kdl::Node& node : skeleton.children)
         if (node.name == backbone_name)
             backbones.push_back({.backbone = &node});
         else if (is_side(node.name) && !backbones.empty())
-            is_good = add_side(node, backbones.back(), context) && is_good;
+            is_valid = add_side(node, backbones.back(), context) && is_valid;
         else
-            is_good = report_inside(node, context);
-    return is_good ? std::optional{backbones} : std::nullopt;
+            is_valid = report_inside(node, context);
+    return is_valid ? std::optional{backbones} : std::nullopt;
 }
 
 /// Reads the skeletons of one object in the order of their times.
@@ -66,15 +66,15 @@ private:
     {
         const std::size_t count = nodes.size();
         if (count == 0)
-            return context_.report.error(node.name_place, "this skeleton has no backbone",
+            return context_.report.error(node.name_span, "this skeleton has no backbone",
                                          "write backbone X Y X Y … into it");
-        if (count > most_backbones)
-            return context_.report.error(nodes[most_backbones].backbone->name_place,
-                                         "a skeleton has at most " + std::to_string(most_backbones) +
+        if (count > max_backbones)
+            return context_.report.error(nodes[max_backbones].backbone->name_span,
+                                         "a skeleton has at most " + std::to_string(max_backbones) +
                                              " backbones");
         if (before_.empty() || count == before_.size())
             return true;
-        return context_.report.error(node.name_place,
+        return context_.report.error(node.name_span,
                                      "this skeleton has " + counted(count, "backbone") +
                                          ", the one before it " + std::to_string(before_.size()),
                                      "all skeletons of an object have the same number of backbones");
@@ -105,13 +105,13 @@ private:
             points += 3 * each.backbone.nodes.size();
             segments += each.backbone.nodes.size() - 1;
         }
-        if (segments > most_backbone_segments)
-            return context_.report.error(node.name_place,
+        if (segments > max_backbone_segments)
+            return context_.report.error(node.name_span,
                                          "the backbones of this skeleton have " + std::to_string(segments) +
                                              " segments between their nodes, more than " +
-                                             std::to_string(most_backbone_segments),
+                                             std::to_string(max_backbone_segments),
                                          "use fewer nodes");
-        return take_points(points, node.name_place, context_);
+        return take_points(points, node.name_span, context_);
     }
 
     SceneContext& context_;
@@ -138,7 +138,7 @@ std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneCont
     return read;
 }
 
-NodeWords skeleton_words()
+NodeSchema skeleton_words()
 {
     return {skeleton_name, skeleton_form, {}, {}, {names_inside.begin(), names_inside.end()}};
 }

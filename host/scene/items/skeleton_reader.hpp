@@ -3,7 +3,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <span>
 #include <vector>
@@ -14,6 +14,6 @@ namespace kfast::scene {
 /// keys have none. What is wrong is reported, and then left out.
 std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneContext& context);
 
-NodeWords skeleton_words();
+NodeSchema skeleton_words();
 
 }

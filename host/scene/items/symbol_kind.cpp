@@ -52,7 +52,7 @@ SymbolEntry::Kind symbol_kind(const SymbolEntry& symbol, SymbolTable& symbols)
 
 void report_mixed_kinds(const kdl::Node& node, SceneContext& context)
 {
-    context.report.error(node.name_place, "a symbol holds either items or a drawing, not both",
+    context.report.error(node.name_span, "a symbol holds either items or a drawing, not both",
                          "put shapes and keys into an object of the symbol");
 }
 

@@ -9,7 +9,7 @@
 #include "host/scene/items/track_builder.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -29,8 +29,8 @@ void report_no_item(const kdl::Node& node, SceneContext& context)
     if (node.name == key_name || is_drawn(node.name))
         report_mixed_kinds(node, context);
     else
-        context.report.error(node.name_place, "a symbol has no node " + in_quotes(node.name),
-                             word_remedy(node.name, item_names()));
+        context.report.error(node.name_span, "a symbol has no node " + in_quotes(node.name),
+                             word_hint(node.name, item_names()));
 }
 
 void read_items(SymbolEntry& symbol, SceneContext& context)
@@ -101,7 +101,7 @@ std::string chain(const SymbolEntry& symbol, const SymbolTable& symbols)
 }
 
 /// Once: the rest of a long chain will be read from somewhere else, and be too long as well.
-bool report_chain(Place use, SceneContext& context)
+bool report_chain(SourceSpan use, SceneContext& context)
 {
     if (!std::exchange(context.symbols.has_long_chain, true))
         context.report.error(use, too_deep());
@@ -109,7 +109,7 @@ bool report_chain(Place use, SceneContext& context)
 }
 
 /// Whether it may be used, as far as can be said without a look at its kind.
-bool make_ready(SymbolEntry& symbol, Place use, SceneContext& context)
+bool make_ready(SymbolEntry& symbol, SourceSpan use, SceneContext& context)
 {
     if (symbol.state == SymbolEntry::State::in_progress)
         return context.report.error(use, "the symbol " + in_quotes(symbol.name) + " uses itself",
@@ -142,8 +142,8 @@ private:
         if (symbol.scene_index)
             return *symbol.scene_index;
         move_used_by(symbol.items);
-        if (scene_.symbols.size() == most_symbols)
-            context_.report.error(symbol.place, "a scene uses at most " + std::to_string(most_symbols) +
+        if (scene_.symbols.size() == max_symbols)
+            context_.report.error(symbol.place, "a scene uses at most " + std::to_string(max_symbols) +
                                                     " symbols that hold items");
         symbol.scene_index = scene_.symbols.size();
         scene_.symbols.push_back({symbol.name, std::move(symbol.items)});
@@ -167,9 +167,9 @@ void add_symbol(const kdl::Node& node, SceneContext& context)
     SymbolEntry entry;
     entry.node = &node;
     entry.name = *name;
-    entry.place = span(node.name_place, value.place);
+    entry.place = span(node.name_span, value.place);
     if (const auto earlier = context.symbols.add(entry))
-        report_double("a symbol", *name, entry.place, *earlier, context.report);
+        report_duplicate("a symbol", *name, entry.place, *earlier, context.report);
 }
 
 const SymbolEntry* find_symbol(const kdl::Value& name, SceneContext& context)
@@ -205,7 +205,7 @@ void move_symbols(Scene& scene, SceneContext& context)
     SymbolMover{scene, context}.move_used_by(scene.items);
 }
 
-std::vector<NodeWords> symbol_words()
+std::vector<NodeSchema> symbol_words()
 {
     std::vector<std::string_view> drawn{symbol_key_id};
     std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));

@@ -4,7 +4,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/context/symbol_table.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <string_view>
 
@@ -26,6 +26,6 @@ void check_unused_symbols(SceneContext& context);
 void move_symbols(Scene& scene, SceneContext& context);
 
 /// Of symbols of items, and of those that are drawings.
-std::vector<NodeWords> symbol_words();
+std::vector<NodeSchema> symbol_words();
 
 }

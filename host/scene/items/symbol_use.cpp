@@ -4,7 +4,7 @@
 #include "host/scene/items/track_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -34,7 +34,7 @@ void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_vi
                      std::optional<std::int32_t>& target, SceneContext& context)
 {
     if (has_property(node, name))
-        context.report.error(property_place(node, name), std::string{name} + " is given twice",
+        context.report.error(property_span(node, name), std::string{name} + " is given twice",
                              "leave out " + std::string{name} + "=… or the numbers behind the symbol");
     else
         assign(read_item_value(Property::x, node.arguments[argument], context), target);
@@ -95,7 +95,7 @@ std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, SceneContext& c
     return use;
 }
 
-std::vector<NodeWords> use_words()
+std::vector<NodeSchema> use_words()
 {
     const ValueKind coordinate = kind_of(Property::x);
     return {{use_name, items_form, {any_name, coordinate}, words_of(items_rules), {group_key_id, track_name}},

@@ -5,7 +5,7 @@
 #include "host/scene/values/input_type.hpp"
 #include "host/scene/values/text_properties.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -23,8 +23,8 @@ constexpr Range lengths{1, kfb::max_text};
 
 struct TextInputProperties {
     const kdl::Value* glyphs = nullptr;
-    const kdl::Value* usual = nullptr;
-    int most = 0;
+    const kdl::Value* default_value = nullptr;
+    int max = 0;
 };
 
 template <auto TextInputProperties::*value>
@@ -34,23 +34,23 @@ bool keep_value(const kdl::Value& written, TextInputProperties& input, SceneCont
     return read_text(written, context.report).has_value();
 }
 
-bool read_most(const kdl::Value& written, TextInputProperties& input, SceneContext& context)
+bool read_max(const kdl::Value& written, TextInputProperties& input, SceneContext& context)
 {
-    return assign(read_whole_number(written, lengths, context.report), input.most);
+    return assign(read_whole_number(written, lengths, context.report), input.max);
 }
 
 constexpr std::array text_input_rules{
     PropertyRule<TextInputProperties>{"kind", check_own_type<TextInputProperties>,
                                       ValueKind::one_of<input_types>()},
     PropertyRule<TextInputProperties>{"glyphs", keep_value<&TextInputProperties::glyphs>, any_text, true},
-    PropertyRule<TextInputProperties>{"max", read_most, ValueKind::whole(lengths), true},
-    PropertyRule<TextInputProperties>{"default", keep_value<&TextInputProperties::usual>, any_text},
+    PropertyRule<TextInputProperties>{"max", read_max, ValueKind::whole(lengths), true},
+    PropertyRule<TextInputProperties>{"default", keep_value<&TextInputProperties::default_value>, any_text},
 };
 
 /// A character and where it stands in its text.
 struct PlacedCharacter {
     char32_t value = 0;
-    Place place;
+    SourceSpan place;
 };
 
 std::vector<PlacedCharacter> characters_of(std::string_view text)
@@ -91,7 +91,7 @@ public:
 private:
     bool add(const PlacedCharacter& first, const PlacedCharacter& last)
     {
-        const Place place = span(first.place, last.place);
+        const SourceSpan place = span(first.place, last.place);
         for (const PlacedCharacter& end : {first, last})
             if (is_control(end.value))
                 return refuse(end.place, "a text is one line of visible characters", "leave this one out")
@@ -113,10 +113,10 @@ private:
             .has_value();
     }
 
-    std::optional<std::u32string> refuse(Place place, std::string message, std::string remedy)
+    std::optional<std::u32string> refuse(SourceSpan place, std::string message, std::string hint)
     {
         context_.report.error(place.length == 0 ? value_.place : place_in_text(value_, place),
-                              std::move(message), std::move(remedy));
+                              std::move(message), std::move(hint));
         return std::nullopt;
     }
 
@@ -125,10 +125,10 @@ private:
     std::set<char32_t> characters_{U' '};
 };
 
-std::u32string read_usual(const kdl::Value& value, const TextInput& input, SceneContext& context)
+std::u32string read_default(const kdl::Value& value, const TextInput& input, SceneContext& context)
 {
     const std::string& text = *value.string();
-    std::u32string usual;
+    std::u32string default_value;
     for (const PlacedCharacter& character : characters_of(text)) {
         if (input.glyphs.find(character.value) == std::u32string::npos) {
             context.report.error(place_in_text(value, character.place),
@@ -137,12 +137,12 @@ std::u32string read_usual(const kdl::Value& value, const TextInput& input, Scene
                                  "add it to glyphs=");
             return {};
         }
-        usual += character.value;
+        default_value += character.value;
     }
-    if (usual.size() <= input.most)
-        return usual;
-    context.report.error(value.place, "this text has " + std::to_string(usual.size()) + " characters",
-                         "allowed: up to " + std::to_string(input.most) + ", by max=");
+    if (default_value.size() <= input.max)
+        return default_value;
+    context.report.error(value.place, "this text has " + std::to_string(default_value.size()) + " characters",
+                         "allowed: up to " + std::to_string(input.max) + ", by max=");
     return {};
 }
 
@@ -151,19 +151,19 @@ std::u32string read_usual(const kdl::Value& value, const TextInput& input, Scene
 TextInput read_text_input(const kdl::Node& node, SceneContext& context)
 {
     TextInputProperties properties;
-    TextInput input{.glyphs = U" ", .most = 1, .usual = {}};
+    TextInput input{.glyphs = U" ", .max = 1, .default_value = {}};
     if (!read_properties(node, text_input_rules, properties, context))
         return input;
-    input.most = static_cast<std::uint32_t>(properties.most);
+    input.max = static_cast<std::uint32_t>(properties.max);
     const auto glyphs = GlyphReader{*properties.glyphs, context}.read();
     if (!glyphs)
         return input;
     input.glyphs = *glyphs;
-    if (properties.usual != nullptr)
-        input.usual = read_usual(*properties.usual, input, context);
+    if (properties.default_value != nullptr)
+        input.default_value = read_default(*properties.default_value, input, context);
     return input;
 }
 
-std::vector<PropertyWords> text_input_words() { return words_of(text_input_rules); }
+std::vector<PropertySchema> text_input_words() { return words_of(text_input_rules); }
 
 }

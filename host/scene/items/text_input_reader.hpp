@@ -3,13 +3,13 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 namespace kfast::scene {
 
 /// What an input node of kind=text says. What is wrong is reported, and then one that takes a place.
 TextInput read_text_input(const kdl::Node& node, SceneContext& context);
 
-std::vector<PropertyWords> text_input_words();
+std::vector<PropertySchema> text_input_words();
 
 }

@@ -35,7 +35,7 @@ LawPair laws_for(Property property, const KeyLaws& laws)
 
 bool is_painted(Property property) { return property >= Property::fill; }
 
-void warn_of_idle_pivot(std::string_view name, Place place, SceneContext& context)
+void warn_of_idle_pivot(std::string_view name, SourceSpan place, SceneContext& context)
 {
     context.report.warning(place, std::string{name} + " does nothing where nothing turns or grows",
                            "add rotate=… or scale=…, or remove " + std::string{name});
@@ -46,7 +46,7 @@ void warn_of_idle_pivots(const kdl::Node& node, std::span<const TimedQuantity> t
     for (const Property pivot : {Property::pivot_x, Property::pivot_y}) {
         const std::string_view name = property_name(pivot);
         if (has_property(node, name))
-            warn_of_idle_pivot(name, property_place(node, name), context);
+            warn_of_idle_pivot(name, property_span(node, name), context);
         for (const TimedQuantity& quantity : timed)
             if (gives(quantity, pivot))
                 warn_of_idle_pivot(name, quantity.place, context);
@@ -73,7 +73,7 @@ Track build_track(Property property, std::optional<std::int32_t> own, const Keys
     const std::int32_t ordinary = ordinary_value(property);
     const std::int32_t first = own.value_or(ordinary);
     if (std::ranges::any_of(item.keys, sets_it))
-        return {property, keys_of(property, first, item.keys), false, item.clock};
+        return {property, keys_of(property, first, item.keys), false, item.driver};
     if (is_painted(property) || first == ordinary)
         return {property, {}};
     return {property, {TrackKey{.time = {}, .laws = {}, .value = first}}};

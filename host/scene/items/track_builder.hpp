@@ -15,7 +15,7 @@ namespace kfast::scene {
 /// The keys that an item has itself, and what they go by.
 struct KeysOfItem {
     std::span<const ItemKey> keys;
-    Clock clock;
+    Driver driver;
     bool has_depths = false; ///< of a wire frame: its line is as wide as at the pivot, whatever turns it
 };
 

@@ -6,7 +6,7 @@
 #include "host/scene/values/unseen_keys.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/property_name.hpp"
@@ -66,7 +66,7 @@ void report_unknown_quantity(const kdl::Value& value, std::string_view name, Key
         const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
         const std::span known{word_names<quantities>};
         context.report.error(value.place, "unknown quantity " + in_quotes(name),
-                             word_remedy(name, known.first(known.size() - hidden)));
+                             word_hint(name, known.first(known.size() - hidden)));
     }
 }
 
@@ -88,7 +88,7 @@ const Quantity* read_quantity(const kdl::Value& value, KeyHolder holder, SceneCo
 struct TrackProperties {
     std::optional<VelocityLaw> law; ///< none: the track is smooth
     bool turns = false;
-    KeyClock clock;
+    KeyDriver driver;
 };
 
 bool read_law_of_track(const kdl::Value& value, TrackProperties& track, SceneContext& context)
@@ -117,7 +117,7 @@ public:
     TimedQuantity read()
     {
         TimedQuantity result{.name = quantity_.name,
-                             .place = span(node_.name_place, node_.arguments.front().place),
+                             .place = span(node_.name_span, node_.arguments.front().place),
                              .tracks = {},
                              .path = {}};
         read_own();
@@ -146,10 +146,10 @@ private:
         }
     }
 
-    std::vector<TrackKey> read_keys(Place place)
+    std::vector<TrackKey> read_keys(SourceSpan place)
     {
         const std::vector<TimedValue> values =
-            read_timed_values(node_, quantity_.property, properties_.clock, context_);
+            read_timed_values(node_, quantity_.property, properties_.driver, context_);
         if (node_.children.empty())
             context_.report.error(place, "this track has no values", "add { at 0 …; at 30 … }");
         if (values.empty())
@@ -161,7 +161,7 @@ private:
             keys.push_back({timed.time, laws_of(timed), timed.value, timed.place});
         keys.back().laws = {};
         // The slope of a smooth track at a key depends on the key behind it.
-        if (properties_.clock.is_time())
+        if (properties_.driver.is_time())
             take_times(keys, properties_.law ? 1 : 2, "value", context_);
         return keys;
     }
@@ -178,7 +178,7 @@ private:
     {
         for (const TimedValue& timed : values)
             if (timed.law && !properties_.law)
-                context_.report.error(property_place(*timed.node, "law"),
+                context_.report.error(property_span(*timed.node, "law"),
                                       "this track is smooth: it goes by no laws",
                                       "write track " + std::string{quantity_.name} + " law=constant");
         if (values.back().law)
@@ -189,13 +189,13 @@ private:
 
     void warn_of_idle_law(const kdl::Node& node)
     {
-        context_.report.warning(property_place(node, "law"), "this law governs nothing",
+        context_.report.warning(property_span(node, "law"), "this law governs nothing",
                                 "remove it, or add a later value");
     }
 
     Track track_of(Property property, const std::vector<TrackKey>& keys) const
     {
-        return {property, keys, !properties_.law.has_value(), properties_.clock.clock()};
+        return {property, keys, !properties_.law.has_value(), properties_.driver.driver()};
     }
 
     const kdl::Node& node_;
@@ -218,7 +218,7 @@ std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder,
     return TrackReader{node, *quantity, context}.read();
 }
 
-std::vector<NodeWords> track_words()
+std::vector<NodeSchema> track_words()
 {
     constexpr ValueKind quantity = ValueKind::one_of<quantities>();
     constexpr std::size_t along = 1;
@@ -230,9 +230,9 @@ std::vector<NodeWords> track_words()
             {track_name, along_form, {path, any_path}, words_of(along_rules), {at_name}}};
 }
 
-std::vector<PropertyWords> quantity_words()
+std::vector<PropertySchema> quantity_words()
 {
-    std::vector<PropertyWords> words;
+    std::vector<PropertySchema> words;
     words.reserve(std::size(quantities));
     for (const Quantity& quantity : quantities)
         words.push_back({quantity.name, kind_of(quantity.property)});

@@ -4,7 +4,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/values/timed_quantity.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 #include <string_view>
@@ -18,8 +18,8 @@ inline constexpr std::string_view track_name = "track";
 std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, SceneContext& context);
 
 /// Of plain tracks, and of those along a path.
-std::vector<NodeWords> track_words();
+std::vector<NodeSchema> track_words();
 /// What a track may move, and by which values.
-std::vector<PropertyWords> quantity_words();
+std::vector<PropertySchema> quantity_words();
 
 }

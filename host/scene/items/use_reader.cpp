@@ -1,7 +1,7 @@
 #include "host/scene/items/use_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/scene/items/double_quantity.hpp"
+#include "host/scene/items/duplicate_quantity.hpp"
 #include "host/scene/items/key_list.hpp"
 #include "host/scene/items/mirror.hpp"
 #include "host/scene/items/symbol_use.hpp"
@@ -24,10 +24,10 @@ struct Changes {
     std::vector<TimedQuantity> timed;
 };
 
-Changes read_changes(const kdl::Node& node, const KeyClock& clock, SceneContext& context)
+Changes read_changes(const kdl::Node& node, const KeyDriver& driver, SceneContext& context)
 {
     Changes changes;
-    KeyList keys{KeyHolder::group, clock, context};
+    KeyList keys{KeyHolder::group, driver, context};
     for (const kdl::Node& child : node.children) {
         if (context.report.full())
             break;
@@ -37,8 +37,8 @@ Changes read_changes(const kdl::Node& node, const KeyClock& clock, SceneContext&
             if (auto quantity = read_track(child, KeyHolder::group, context))
                 changes.timed.push_back(std::move(*quantity));
         } else {
-            context.report.error(child.name_place, "a use has no node " + in_quotes(child.name),
-                                 word_remedy(child.name, names_inside));
+            context.report.error(child.name_span, "a use has no node " + in_quotes(child.name),
+                                 word_hint(child.name, names_inside));
         }
     }
     changes.keys = keys.take();
@@ -50,18 +50,18 @@ Changes read_changes(const kdl::Node& node, const KeyClock& clock, SceneContext&
 std::optional<Item> read_use(const kdl::Node& node, int depth, SceneContext& context)
 {
     auto use = read_items_use(node, context);
-    auto [keys, timed] = read_changes(node, use ? use->clock : KeyClock{}, context);
+    auto [keys, timed] = read_changes(node, use ? use->driver : KeyDriver{}, context);
     if (!use)
         return std::nullopt;
-    const Place place = span(node.name_place, node.arguments.front().place);
+    const SourceSpan place = span(node.name_span, node.arguments.front().place);
     if (depth + 1 + use->symbol->depth > deepest_item) {
         context.report.error(place, too_deep());
         return std::nullopt;
     }
     warn_of_idle_input(node, !keys.empty(), context);
-    refuse_double_quantities(timed, use->values, keys, context);
+    refuse_duplicate_quantities(timed, use->values, keys, context);
     mirror(use->mirror, use->values, keys, timed);
-    auto tracks = build_tracks(node, use->values, {keys, use->clock.clock()}, timed, context);
+    auto tracks = build_tracks(node, use->values, {keys, use->driver.driver()}, timed, context);
     return Item{"", std::move(tracks), Use{context.symbols.number(*use->symbol)}, place, take_path(timed)};
 }
 

@@ -28,20 +28,20 @@ void refuse_mixed_depths(const std::vector<Key>& keys, SceneContext& context)
 void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content, const std::vector<Key>& keys,
                          SceneContext& context)
 {
-    const auto refuse = [&context](Place place, std::string_view what, std::string remedy) {
-        context.report.error(place, "a drawing with depth has no " + std::string{what}, std::move(remedy));
+    const auto refuse = [&context](SourceSpan place, std::string_view what, std::string hint) {
+        context.report.error(place, "a drawing with depth has no " + std::string{what}, std::move(hint));
     };
     if (has_property(object, "fill"))
-        refuse(property_place(object, "fill"), "fill", "use stroke=COLOUR alone");
+        refuse(property_span(object, "fill"), "fill", "use stroke=COLOUR alone");
     for (const std::string_view property : {"skin", "bone"})
         if (has_property(object, property))
-            refuse(property_place(object, property), property, "turn the object, or a group around it");
+            refuse(property_span(object, property), property, "turn the object, or a group around it");
     if (content.weights != nullptr && !has_property(object, "skin"))
-        refuse(content.weights->name_place, "weights", "remove them");
+        refuse(content.weights->name_span, "weights", "remove them");
     const auto carried =
         std::ranges::find_if(content.keys, [](const ItemKey& key) { return key.skeleton != nullptr; });
     if (carried != content.keys.end())
-        refuse(carried->skeleton->name_place, "skeleton", "turn the object, or a group around it");
+        refuse(carried->skeleton->name_span, "skeleton", "turn the object, or a group around it");
     const auto matched =
         std::ranges::find_if(keys, [](const Key& key) { return key.match == Match::length; });
     if (matched != keys.end())

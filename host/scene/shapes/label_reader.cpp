@@ -7,7 +7,7 @@
 #include "host/scene/values/text_properties.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -26,8 +26,8 @@ constexpr NodeForm label_form{"text", "text input=NAME at=\"X,Y\" size=PIXELS fo
 /// label may be wide stays more.
 std::int32_t in_advance_units(double pixels)
 {
-    constexpr double most = 2.0 * kfb::max_text_width / kfb::advance_one;
-    return static_cast<std::int32_t>(std::lround(std::clamp(pixels, -most, most) * kfb::advance_one));
+    constexpr double max = 2.0 * kfb::max_text_width / kfb::advance_one;
+    return static_cast<std::int32_t>(std::lround(std::clamp(pixels, -max, max) * kfb::advance_one));
 }
 
 /// Makes the glyphs of a label from the letters of its font.
@@ -51,9 +51,9 @@ public:
             return std::nullopt;
         }
         LabelGlyph glyph{.drawing = {}, .advance = in_advance_units(scale() * letter->advance)};
-        const auto outlines = set_text(text, style_, most_points);
+        const auto outlines = set_text(text, style_, max_points);
         if (!outlines) {
-            context_.report.error(node_.name_place, too_many_points());
+            context_.report.error(node_.name_span, too_many_points());
             return std::nullopt;
         }
         for (const Outline& outline : *outlines)
@@ -79,7 +79,7 @@ private:
 
     void report_missing(char32_t character, const std::string& text, std::string_view input)
     {
-        context_.report.error(property_place(node_, "font"),
+        context_.report.error(property_span(node_, "font"),
                               "the font " + in_quotes(properties_.font) + " has no " + in_words(text) +
                                   ", which the input " + in_quotes(input) + " may have",
                               other_font(character, context_));
@@ -88,9 +88,9 @@ private:
     bool add(const Outline& outline, Drawing& drawing)
     {
         if (!in_range(outline))
-            return context_.report.error(node_.name_place, "a letter of this text is more than 2047 px large",
+            return context_.report.error(node_.name_span, "a letter of this text is more than 2047 px large",
                                          "lower size=");
-        if (!take_points(outline.curves.size() + 1, node_.name_place, context_))
+        if (!take_points(outline.curves.size() + 1, node_.name_span, context_))
             return false;
         drawing.strokes.push_back(quantized(outline));
         return true;
@@ -116,9 +116,9 @@ std::int64_t widest_step(const Label& label)
 
 bool has_room(const Label& label, const TextInput& input, const kdl::Node& node, SceneContext& context)
 {
-    return widest_step(label) * input.most <= kfb::max_text_width ||
-           context.report.error(node.name_place,
-                                "a text of " + std::to_string(input.most) +
+    return widest_step(label) * input.max <= kfb::max_text_width ||
+           context.report.error(node.name_span,
+                                "a text of " + std::to_string(input.max) +
                                     " characters may be more than 4095 px wide here",
                                 "lower size=, or max= of the input");
 }
@@ -129,7 +129,7 @@ bool is_label(const kdl::Node& node) { return node.name == label_form.name && ha
 
 void report_label_among_shapes(const kdl::Node& node, SceneContext& context)
 {
-    context.report.error(property_place(node, "input"),
+    context.report.error(property_span(node, "input"),
                          "the text of an input is all that an object draws, and not in a key",
                          "give it an object of its own: object NAME fill=COLOUR { text input=… }");
 }
@@ -144,7 +144,7 @@ std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
     const auto input = use_input(*properties->input, InputType::text, context);
     if (!input)
         return std::nullopt;
-    note_lines(*properties, node.name_place, context);
+    note_lines(*properties, node.name_span, context);
     const Input& shown = context.inputs.entries[*input].input;
     const TextStyle& style = properties->style;
     Label label{.input = *input,
@@ -156,7 +156,7 @@ std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
     GlyphMaker maker{node, *properties, context};
     for (const char32_t character : shown.text.glyphs) {
         auto glyph = maker.glyph(character, shown.name);
-        if (!glyph || !take_points(1, node.name_place, context))
+        if (!glyph || !take_points(1, node.name_span, context))
             return std::nullopt;
         label.glyphs.push_back(std::move(*glyph));
     }
@@ -166,10 +166,10 @@ std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
     return label;
 }
 
-NodeWords label_words()
+NodeSchema label_words()
 {
     auto properties = text_property_words(TextKind::label);
-    std::ranges::find(properties, "input", &PropertyWords::name)->required = true;
+    std::ranges::find(properties, "input", &PropertySchema::name)->required = true;
     return {label_form.name, label_form, {}, properties};
 }
 

@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 
@@ -18,6 +18,6 @@ void report_label_among_shapes(const kdl::Node& node, SceneContext& context);
 /// Of `node`, which is a label. Reports what is wrong and then returns nothing.
 std::optional<Label> read_label(const kdl::Node& node, SceneContext& context);
 
-NodeWords label_words();
+NodeSchema label_words();
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
@@ -29,12 +29,12 @@ public:
     {
         read_vertices(); // which may stand behind the edges
         if (is_good_ && mesh_.vertices.empty())
-            fail(node_.name_place, "this mesh has no vertices", "write vertices X Y Z X Y Z … into it");
+            fail(node_.name_span, "this mesh has no vertices", "write vertices X Y Z X Y Z … into it");
         for (const kdl::Node& node : node_.children)
             if (is_good_ && node.name != vertices_form.name)
                 read_edges(node);
         if (is_good_ && mesh_.edges.empty())
-            fail(node_.name_place, "this mesh has no edges", "write edges A B … or face A B C … into it");
+            fail(node_.name_span, "this mesh has no edges", "write edges A B … or face A B C … into it");
         if (!is_good_)
             return std::nullopt;
         warn_of_loose_vertex();
@@ -42,9 +42,9 @@ public:
     }
 
 private:
-    void fail(Place place, std::string message, std::string remedy)
+    void fail(SourceSpan place, std::string message, std::string hint)
     {
-        is_good_ = context_.report.error(place, std::move(message), std::move(remedy));
+        is_good_ = context_.report.error(place, std::move(message), std::move(hint));
     }
 
     bool has_form(const kdl::Node& node, const NodeForm& form)
@@ -76,8 +76,8 @@ private:
         else if (node.name == face_form.name)
             read_face(node);
         else
-            fail(node.name_place, "a mesh has no node " + in_quotes(node.name),
-                 word_remedy(node.name, names_inside));
+            fail(node.name_span, "a mesh has no node " + in_quotes(node.name),
+                 word_hint(node.name, names_inside));
     }
 
     void read_pairs(const kdl::Node& node)
@@ -145,13 +145,13 @@ private:
     const kdl::Node& node_;
     SceneContext& context_;
     Mesh mesh_;
-    std::vector<Place> places_; ///< of the vertices
+    std::vector<SourceSpan> places_; ///< of the vertices
     bool is_good_ = true;
 };
 
 }
 
-std::optional<std::vector<SpaceSpot>> read_space_spots(const kdl::Node& node, SceneContext& context)
+std::optional<std::vector<Vec3>> read_space_spots(const kdl::Node& node, SceneContext& context)
 {
     const auto numbers = read_numbers(node.arguments, std::array{coordinates}, context.report);
     if (!numbers)
@@ -162,7 +162,7 @@ std::optional<std::vector<SpaceSpot>> read_space_spots(const kdl::Node& node, Sc
                              "every point has three numbers, X Y Z: add what is missing, or remove this");
         return std::nullopt;
     }
-    std::vector<SpaceSpot> spots;
+    std::vector<Vec3> spots;
     for (std::size_t i = 0; i < numbers->size(); i += 3)
         spots.push_back({(*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]});
     return spots;
@@ -175,7 +175,7 @@ std::optional<Mesh> read_mesh(const kdl::Node& node, SceneContext& context)
 
 std::vector<std::string_view> names_inside_mesh() { return {names_inside.begin(), names_inside.end()}; }
 
-std::vector<NodeWords> mesh_words()
+std::vector<NodeSchema> mesh_words()
 {
     const ValueKind coordinate = ValueKind::pixels(coordinates);
     const ValueKind vertex = ValueKind::whole(whole_numbers);

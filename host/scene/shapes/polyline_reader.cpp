@@ -4,7 +4,7 @@
 #include "host/geometry/spline.hpp"
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 namespace kfast::scene {
@@ -48,6 +48,6 @@ std::vector<Outline> read_curve(const kdl::Node& node, std::size_t, SceneContext
     return {spline(*spots, closed)};
 }
 
-std::vector<PropertyWords> curve_words() { return words_of(curve_rules); }
+std::vector<PropertySchema> curve_words() { return words_of(curve_rules); }
 
 }

@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -15,6 +15,6 @@ std::vector<Outline> read_polygon(const kdl::Node& node, std::size_t points_left
 std::vector<Outline> read_line(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 std::vector<Outline> read_curve(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-std::vector<PropertyWords> curve_words();
+std::vector<PropertySchema> curve_words();
 
 }

@@ -3,7 +3,7 @@
 #include "host/geometry/sector.hpp"
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <cmath>
@@ -57,7 +57,7 @@ constexpr std::array pie_rules{radius_rule, from_rule, to_rule,
 bool within_a_turn(const kdl::Node& node, const Sector& sector, SceneContext& context)
 {
     return std::abs(sector.to - sector.from) <= 360 ||
-           context.report.error(node.name_place, "this " + node.name + " goes round more than once",
+           context.report.error(node.name_span, "this " + node.name + " goes round more than once",
                                 "keep from and to within 360 degrees of each other");
 }
 
@@ -94,11 +94,11 @@ std::vector<Outline> read_pie(const kdl::Node& node, std::size_t, SceneContext& 
     return {shape->inner ? ring_piece(shape->sector, *shape->inner) : pie(shape->sector)};
 }
 
-std::vector<std::vector<PropertyWords>> arc_words()
+std::vector<std::vector<PropertySchema>> arc_words()
 {
     return {words_of(arc_rules), words_of(elliptical_rules)};
 }
 
-std::vector<PropertyWords> pie_words() { return words_of(pie_rules); }
+std::vector<PropertySchema> pie_words() { return words_of(pie_rules); }
 
 }

@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -15,7 +15,7 @@ std::vector<Outline> read_arc(const kdl::Node& node, std::size_t points_left, Sc
 std::vector<Outline> read_pie(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
 /// Of arcs of circles, and of ellipses.
-std::vector<std::vector<PropertyWords>> arc_words();
-std::vector<PropertyWords> pie_words();
+std::vector<std::vector<PropertySchema>> arc_words();
+std::vector<PropertySchema> pie_words();
 
 }

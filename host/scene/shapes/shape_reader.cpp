@@ -10,7 +10,7 @@
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::vector<Outline> read_rectangle(const kdl::Node& node, std::size_t, SceneCon
     return {rectangle({box->at(0), box->at(1)}, box->at(2), box->at(3), corner.x)};
 }
 
-using Words = std::vector<std::vector<PropertyWords>>;
+using Words = std::vector<std::vector<PropertySchema>>;
 
 struct Shape {
     NodeForm form;
@@ -156,9 +156,9 @@ std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, 
     return shape.read(node, points_left, context);
 }
 
-std::vector<NodeWords> shape_words()
+std::vector<NodeSchema> shape_words()
 {
-    std::vector<NodeWords> words{text_words(), label_words()};
+    std::vector<NodeSchema> words{text_words(), label_words()};
     for (const Shape& shape : shapes)
         for (auto& properties : shape.properties())
             words.push_back({shape.form.name,

@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <span>
@@ -20,6 +20,6 @@ bool is_shape(std::string_view name);
 /// paths and texts look at `points_left`, and only paths are sure to be in_range().
 std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-std::vector<NodeWords> shape_words();
+std::vector<NodeSchema> shape_words();
 
 }

@@ -3,7 +3,7 @@
 #include "host/geometry/star.hpp"
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 namespace kfast::scene {
@@ -74,7 +74,7 @@ std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, SceneConte
     return {regular_polygon(*centre, shape.count, shape.radius, shape.turn)};
 }
 
-std::vector<PropertyWords> star_words() { return words_of(star_rules); }
-std::vector<PropertyWords> regular_words() { return words_of(regular_rules); }
+std::vector<PropertySchema> star_words() { return words_of(star_rules); }
+std::vector<PropertySchema> regular_words() { return words_of(regular_rules); }
 
 }

@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -14,7 +14,7 @@ namespace kfast::scene {
 std::vector<Outline> read_star(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 std::vector<Outline> read_regular(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-std::vector<PropertyWords> star_words();
-std::vector<PropertyWords> regular_words();
+std::vector<PropertySchema> star_words();
+std::vector<PropertySchema> regular_words();
 
 }

@@ -6,7 +6,7 @@
 #include "host/scene/values/text_properties.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/text/glyph.hpp"
 
 namespace kfast::scene {
@@ -15,12 +15,12 @@ namespace {
 constexpr NodeForm words_form{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 1, 1};
 
 /// The first character of `text` that `font` lacks.
-std::optional<Place> first_missing(std::string_view text, Font& font)
+std::optional<SourceSpan> first_missing(std::string_view text, Font& font)
 {
     for (std::size_t at = 0; at < text.size();) {
         const CodePoint point = code_point_at(text, at);
         if (point.value != U'\n' && font.letter(point.value) == nullptr)
-            return Place{at, point.length};
+            return SourceSpan{at, point.length};
         at += point.length;
     }
     return std::nullopt;
@@ -62,7 +62,7 @@ std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_l
     return std::move(outlines).value_or(std::vector<Outline>{});
 }
 
-NodeWords text_words()
+NodeSchema text_words()
 {
     return {words_form.name, words_form, {any_text}, text_property_words(TextKind::fixed)};
 }

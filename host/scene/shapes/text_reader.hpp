@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -13,6 +13,6 @@ namespace kfast::scene {
 /// As read_shape(), for the node text, whose form has been checked but for its words.
 std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-NodeWords text_words();
+NodeSchema text_words();
 
 }

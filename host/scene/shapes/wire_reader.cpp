@@ -3,7 +3,7 @@
 #include "host/scene/shapes/mesh_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <algorithm>
@@ -86,11 +86,11 @@ std::vector<Wire> read_wires(const kdl::Node& node, SceneContext& context)
     return shape.read(node, context);
 }
 
-std::vector<NodeWords> wire_words()
+std::vector<NodeSchema> wire_words()
 {
-    std::vector<NodeWords> words;
+    std::vector<NodeSchema> words;
     for (const WireShape& shape : shapes) {
-        NodeWords own{shape.form.name, shape.form, {shape.values.begin(), shape.values.end()}};
+        NodeSchema own{shape.form.name, shape.form, {shape.values.begin(), shape.values.end()}};
         if (shape.read == read_polyline)
             own.properties = words_of(polyline_rules);
         if (shape.form.takes_nodes)

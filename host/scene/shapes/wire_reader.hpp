@@ -3,7 +3,7 @@
 #include "host/geometry/wire.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <span>
 #include <string_view>
@@ -19,6 +19,6 @@ bool is_wire(std::string_view name);
 /// cuboid may be out of range.
 std::vector<Wire> read_wires(const kdl::Node& node, SceneContext& context);
 
-std::vector<NodeWords> wire_words();
+std::vector<NodeSchema> wire_words();
 
 }

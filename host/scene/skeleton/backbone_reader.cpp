@@ -5,7 +5,7 @@
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/counted.hpp"
 
@@ -39,11 +39,11 @@ const Side* find_side(std::string_view name)
     return side == sides.end() ? nullptr : &*side;
 }
 
-std::vector<Point> rounded(const std::vector<Spot>& spots)
+std::vector<Point> rounded(const std::vector<Vec2>& spots)
 {
     std::vector<Point> points;
     points.reserve(spots.size());
-    for (const Spot spot : spots)
+    for (const Vec2 spot : spots)
         points.push_back({to_sixteenths(spot.x), to_sixteenths(spot.y)});
     return points;
 }
@@ -88,7 +88,7 @@ private:
         return has_known_form() && is_line();
     }
 
-    std::optional<std::vector<Spot>> read_points(const kdl::Node& node, const NodeForm& form)
+    std::optional<std::vector<Vec2>> read_points(const kdl::Node& node, const NodeForm& form)
     {
         if (!fits(node, form, context_.report) || !refuse_properties(node, context_.report))
             return std::nullopt;
@@ -100,7 +100,7 @@ private:
         const std::size_t count = spots_.size();
         if (before_ == nullptr || count == before_->backbone.nodes.size())
             return true;
-        return context_.report.error(nodes_.backbone->name_place,
+        return context_.report.error(nodes_.backbone->name_span,
                                      "this backbone has " + counted(count, "node") +
                                          ", in the skeleton before it " +
                                          std::to_string(before_->backbone.nodes.size()),
@@ -126,11 +126,11 @@ private:
         if (given == nullptr)
             return find_widths() && make_band();
         if (nodes_.width != nullptr)
-            return context_.report.error(nodes_.width->name_place,
+            return context_.report.error(nodes_.width->name_span,
                                          "a backbone has either a width or a left and a right side",
                                          "remove one of them");
         if (nodes_.left == nullptr || nodes_.right == nullptr)
-            return context_.report.error(given->name_place, "this side has no other one",
+            return context_.report.error(given->name_span, "this side has no other one",
                                          "a backbone has both left and right, or a width");
         return read_side(*nodes_.left, read_.backbone.left) && read_side(*nodes_.right, read_.backbone.right);
     }
@@ -142,7 +142,7 @@ private:
             return false;
         side = rounded(*spots);
         return side.size() == spots_.size() ||
-               context_.report.error(node.name_place,
+               context_.report.error(node.name_span,
                                      "this side has " + counted(side.size(), "point") +
                                          ", its backbone has " + counted(spots_.size(), "node"),
                                      "give it one point for each node");
@@ -155,7 +155,7 @@ private:
         if (before_ != nullptr)
             read_.widths = before_->widths;
         return !read_.widths.empty() ||
-               context_.report.error(nodes_.backbone->name_place, "this backbone has no width",
+               context_.report.error(nodes_.backbone->name_span, "this backbone has no width",
                                      "write width PIXELS behind it, or left and right");
     }
 
@@ -171,7 +171,7 @@ private:
         if (widths->size() == 1)
             read_.widths.resize(spots_.size(), widths->front());
         return read_.widths.size() == spots_.size() ||
-               context_.report.error(node.name_place,
+               context_.report.error(node.name_span,
                                      "there are " + counted(widths->size(), "width") +
                                          " here, the backbone has " + counted(spots_.size(), "node"),
                                      "give one width for all nodes, or one for each");
@@ -180,10 +180,10 @@ private:
     bool make_band()
     {
         const BandSides band = sides_of_band(spots_, read_.widths);
-        const auto is_inside = [](Spot spot) { return in_range(spot); };
+        const auto is_inside = [](Vec2 spot) { return in_range(spot); };
         if (!std::ranges::all_of(band.left, is_inside) || !std::ranges::all_of(band.right, is_inside))
             return context_.report.error(
-                nodes_.backbone->name_place,
+                nodes_.backbone->name_span,
                 "the outline of this backbone reaches more than 2047 px from the origin");
         read_.backbone.left = rounded(band.left);
         read_.backbone.right = rounded(band.right);
@@ -202,7 +202,7 @@ private:
                 return context_.report.error((node != nullptr           ? node
                                               : nodes_.width != nullptr ? nodes_.width
                                                                         : nodes_.backbone)
-                                                 ->name_place,
+                                                 ->name_span,
                                              "the backbone has no width between its nodes " +
                                                  std::to_string(i + 1) + " and " + std::to_string(i + 2),
                                              "make it wider at one of them at least");
@@ -212,7 +212,7 @@ private:
     const BackboneNodes& nodes_;
     const ReadBackbone* before_;
     SceneContext& context_;
-    std::vector<Spot> spots_;
+    std::vector<Vec2> spots_;
     ReadBackbone read_;
 };
 
@@ -224,9 +224,9 @@ bool add_side(const kdl::Node& node, BackboneNodes& nodes, SceneContext& context
 {
     const kdl::Node*& place = nodes.*find_side(node.name)->node;
     if (place != nullptr)
-        return context.report.error(node.name_place,
+        return context.report.error(node.name_span,
                                     "this backbone has its " + node.name + " already, on " +
-                                        context.report.line(place->name_place),
+                                        context.report.line(place->name_span),
                                     "remove one of them");
     place = &node;
     return true;
@@ -238,9 +238,9 @@ std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const Read
     return BackboneReader{nodes, before, context}.read();
 }
 
-std::vector<NodeWords> backbone_words()
+std::vector<NodeSchema> backbone_words()
 {
-    std::vector<NodeWords> words{{backbone_form.name, backbone_form, {ValueKind::pixels(coordinates)}}};
+    std::vector<NodeSchema> words{{backbone_form.name, backbone_form, {ValueKind::pixels(coordinates)}}};
     for (const Side& side : sides) {
         const bool is_width = side.node == &BackboneNodes::width;
         words.push_back({side.form.name, side.form, {ValueKind::pixels(is_width ? extents : coordinates)}});

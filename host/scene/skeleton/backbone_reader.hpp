@@ -4,7 +4,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 #include <vector>
@@ -36,6 +36,6 @@ std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const Read
                                           SceneContext& context);
 
 /// Of a backbone, and of what says how wide it is.
-std::vector<NodeWords> backbone_words();
+std::vector<NodeSchema> backbone_words();
 
 }

@@ -41,7 +41,7 @@ void add(const Binding& binding, double share, std::vector<WeightedBone>& bones)
 Binding bound(std::vector<WeightedBone> bones)
 {
     std::ranges::stable_sort(bones, std::ranges::greater{}, &WeightedBone::weight);
-    bones.resize(std::min(bones.size(), most_bones_at_point));
+    bones.resize(std::min(bones.size(), max_bones_at_point));
     const double sum = sum_of(bones);
     Binding binding;
     std::vector<double> losses;

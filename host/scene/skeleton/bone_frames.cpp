@@ -43,7 +43,7 @@ std::vector<BoneFrame> frames(const std::vector<Bone>& bones, ValuesOf values_of
     frames.reserve(bones.size());
     for (const Bone& bone : bones) {
         const BoneFrame parent = bone.parent ? frames[*bone.parent] : BoneFrame{};
-        const double stretch = bone.parent ? stretch_of(bones[*bone.parent], parent) : 0;
+        const double stretch = bone.parent ? play_range_of(bones[*bone.parent], parent) : 0;
         frames.push_back(frame_in(parent, bone, values_of(bone), stretch));
     }
     return frames;
@@ -51,17 +51,17 @@ std::vector<BoneFrame> frames(const std::vector<Bone>& bones, ValuesOf values_of
 
 }
 
-Spot direction_of(double angle) { return on_unit_circle(angle * 360 / BinaryAngle::turn); }
+Vec2 direction_of(double angle) { return on_unit_circle(angle * 360 / BinaryAngle::turn); }
 
-Spot BoneFrame::outside(Spot spot) const
+Vec2 BoneFrame::outside(Vec2 spot) const
 {
-    const Spot along = direction_of(angle);
-    return origin + spot.x * along + spot.y * Spot{-along.y, along.x};
+    const Vec2 along = direction_of(angle);
+    return origin + spot.x * along + spot.y * Vec2{-along.y, along.x};
 }
 
-Spot BoneFrame::inside(Spot spot) const
+Vec2 BoneFrame::inside(Vec2 spot) const
 {
-    const Spot along = direction_of(angle);
+    const Vec2 along = direction_of(angle);
     return {dot(spot - origin, along), cross(along, spot - origin)};
 }
 
@@ -80,7 +80,7 @@ BoneValues values_at(const Bone& bone, Time time)
     return values;
 }
 
-double stretch_of(const Bone& bone, const BoneFrame& frame)
+double play_range_of(const Bone& bone, const BoneFrame& frame)
 {
     return frame.length - set_up_value(bone, BoneQuantity::length) / units_per_pixel;
 }
@@ -88,7 +88,7 @@ double stretch_of(const Bone& bone, const BoneFrame& frame)
 BoneFrame frame_in(const BoneFrame& parent, const Bone& bone, const BoneValues& values, double stretch)
 {
     const auto [angle, x, y, length] = values;
-    const Spot origin{x / units_per_pixel + (bone.is_at_tip ? stretch : 0), y / units_per_pixel};
+    const Vec2 origin{x / units_per_pixel + (bone.is_at_tip ? stretch : 0), y / units_per_pixel};
     return {parent.outside(origin), parent.angle + angle, length / units_per_pixel};
 }
 
@@ -108,20 +108,20 @@ BoneFrame frame_at(const std::vector<Bone>& bones, std::size_t bone, Time time)
     if (!own.parent)
         return frame_in({}, own, values_at(own, time), 0);
     const BoneFrame parent = frame_at(bones, *own.parent, time);
-    return frame_in(parent, own, values_at(own, time), stretch_of(bones[*own.parent], parent));
+    return frame_in(parent, own, values_at(own, time), play_range_of(bones[*own.parent], parent));
 }
 
 BoneMotion::BoneMotion(const BoneFrame& set_up, const BoneFrame& posed)
     : origin_{set_up.origin}, along_{direction_of(set_up.angle)}, posed_origin_{posed.origin}
 {
-    const Spot along = direction_of(posed.angle);
+    const Vec2 along = direction_of(posed.angle);
     posed_along_ = posed.length / set_up.length * along;
     posed_across_ = {-along.y, along.x};
 }
 
-Spot BoneMotion::operator()(Spot spot) const
+Vec2 BoneMotion::operator()(Vec2 spot) const
 {
-    const Spot from = spot - origin_;
+    const Vec2 from = spot - origin_;
     return posed_origin_ + dot(from, along_) * posed_along_ + cross(along_, from) * posed_across_;
 }
 

@@ -13,18 +13,18 @@
 namespace kfast::scene {
 
 struct BoneFrame {
-    Spot origin = {};
+    Vec2 origin = {};
     double angle = 0; ///< clockwise, in 1/65536 turn
     double length = 0;
 
     /// From the frame, x along the bone, to the canvas.
-    Spot outside(Spot spot) const;
-    Spot inside(Spot spot) const;
-    Spot tip() const { return outside({length, 0}); }
+    Vec2 outside(Vec2 spot) const;
+    Vec2 inside(Vec2 spot) const;
+    Vec2 tip() const { return outside({length, 0}); }
 };
 
 /// The direction of an angle in 1/65536 turn.
-Spot direction_of(double angle);
+Vec2 direction_of(double angle);
 
 /// By BoneQuantity, in its units, but not rounded.
 using BoneValues = std::array<double, bone_quantity_count>;
@@ -33,7 +33,7 @@ BoneValues values_as_set_up(const Bone& bone);
 BoneValues values_at(const Bone& bone, Time time);
 
 /// By how many pixels `bone`, which lies in `frame`, is longer than as set up.
-double stretch_of(const Bone& bone, const BoneFrame& frame);
+double play_range_of(const Bone& bone, const BoneFrame& frame);
 
 /// The frame of a bone with `values` in that of its parent, which is stretched by so many pixels. That of a
 /// root's parent is the canvas: a frame at 0.
@@ -50,14 +50,14 @@ class BoneMotion {
 public:
     BoneMotion(const BoneFrame& set_up, const BoneFrame& posed);
 
-    Spot operator()(Spot spot) const;
+    Vec2 operator()(Vec2 spot) const;
 
 private:
-    Spot origin_;
-    Spot along_; ///< as set up, of length 1
-    Spot posed_origin_;
-    Spot posed_along_; ///< where along_ goes
-    Spot posed_across_;
+    Vec2 origin_;
+    Vec2 along_; ///< as set up, of length 1
+    Vec2 posed_origin_;
+    Vec2 posed_along_; ///< where along_ goes
+    Vec2 posed_across_;
 };
 
 /// Whether values of the quantity count modulo one turn.

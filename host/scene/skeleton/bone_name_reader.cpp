@@ -6,8 +6,8 @@
 
 namespace kfast::scene {
 
-std::optional<std::size_t> read_bone_name(std::string_view name, Place place, const std::vector<Bone>& bones,
-                                          SceneContext& context)
+std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,
+                                          const std::vector<Bone>& bones, SceneContext& context)
 {
     const auto bone = find_bone(bones, name);
     if (!bone)

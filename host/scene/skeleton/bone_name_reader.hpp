@@ -11,7 +11,7 @@
 namespace kfast::scene {
 
 /// The bone that is called `name`; reports it at `place` if there is none.
-std::optional<std::size_t> read_bone_name(std::string_view name, Place place, const std::vector<Bone>& bones,
-                                          SceneContext& context);
+std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,
+                                          const std::vector<Bone>& bones, SceneContext& context);
 
 }

@@ -5,7 +5,7 @@
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -73,15 +73,15 @@ void BoneReader::read(const kdl::Node& node, std::optional<std::size_t> parent)
     WrittenBone bone = read_bone(node, parent);
     if (!has_room(bone))
         return;
-    is_good_ = bone.is_good && is_good_;
+    is_good_ = bone.is_valid && is_good_;
     const std::size_t index = bones_.size();
     bones_.push_back(std::move(bone));
     for (const kdl::Node& child : node.children)
         if (child.name == bone_name)
             read(child, index);
         else
-            is_good_ = context_.report.error(child.name_place, "a bone has no node " + in_quotes(child.name),
-                                             word_remedy(child.name, std::array{bone_name}));
+            is_good_ = context_.report.error(child.name_span, "a bone has no node " + in_quotes(child.name),
+                                             word_hint(child.name, std::array{bone_name}));
 }
 
 WrittenBone BoneReader::read_bone(const kdl::Node& node, std::optional<std::size_t> parent)
@@ -89,35 +89,35 @@ WrittenBone BoneReader::read_bone(const kdl::Node& node, std::optional<std::size
     WrittenBone bone;
     bone.node = &node;
     bone.parent = parent;
-    bone.place = span(node.name_place, node.arguments.front().place);
-    bone.is_good = read_properties(node, bone_rules, bone, context_);
+    bone.place = span(node.name_span, node.arguments.front().place);
+    bone.is_valid = read_properties(node, bone_rules, bone, context_);
     if (parent && bone.parent_name != nullptr) {
-        bone.is_good = context_.report.error(property_place(node, "parent"),
-                                             "this bone stands inside of its parent already",
-                                             "remove parent=…, or write the bone outside of the other");
+        bone.is_valid = context_.report.error(property_span(node, "parent"),
+                                              "this bone stands inside of its parent already",
+                                              "remove parent=…, or write the bone outside of the other");
         bone.parent_name = nullptr;
     }
     if (bone.tip && !parent && bone.parent_name == nullptr)
-        context_.report.warning(property_place(node, "tip"), "tip does nothing without a parent",
+        context_.report.warning(property_span(node, "tip"), "tip does nothing without a parent",
                                 "remove it, or add parent=…");
-    bone.is_good = read_ends(node, bone, context_) && bone.is_good;
+    bone.is_valid = read_ends(node, bone, context_) && bone.is_valid;
     const auto name = read_name(node.arguments.front(), context_.report);
     bone.name = name.value_or("");
     if (bone.name == points_name)
-        bone.is_good =
+        bone.is_valid =
             context_.report.error(node.arguments.front().place, "a bone cannot be called \"points\"",
                                   "choose another name: weights have a node of this one");
-    bone.is_good = name && add_name(names_, "a bone", *name, bone.place, context_.report) && bone.is_good;
+    bone.is_valid = name && add_name(names_, "a bone", *name, bone.place, context_.report) && bone.is_valid;
     return bone;
 }
 
 bool BoneReader::has_room(const WrittenBone& bone)
 {
-    if (bones_.size() < most_bones)
+    if (bones_.size() < max_bones)
         return true;
     is_full_ = true;
     is_good_ =
-        context_.report.error(bone.place, "a skeleton has at most " + std::to_string(most_bones) + " bones");
+        context_.report.error(bone.place, "a skeleton has at most " + std::to_string(max_bones) + " bones");
     return false;
 }
 
@@ -138,7 +138,7 @@ void BoneReader::find_parent(WrittenBone& bone)
                                      suggestion(*name, known));
 }
 
-NodeWords bone_words()
+NodeSchema bone_words()
 {
     return {
         bone_name, bone_form, {any_name, ValueKind::pixels(coordinates)}, words_of(bone_rules), {bone_name}};

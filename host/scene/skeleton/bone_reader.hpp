@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -18,14 +18,14 @@ inline constexpr std::string_view bone_name = "bone";
 struct WrittenBone {
     const kdl::Node* node = nullptr;
     std::string name;
-    Place place; ///< of "bone" and the name
-    Spot from;
-    Spot to;
+    SourceSpan place; ///< of "bone" and the name
+    Vec2 from;
+    Vec2 to;
     std::optional<double> region;
     std::optional<bool> tip;
     const kdl::Value* parent_name = nullptr;
     std::optional<std::size_t> parent; ///< index among those that were read
-    bool is_good = true;               ///< nothing of it was wrong but for its parent's name
+    bool is_valid = true;              ///< nothing of it was wrong but for its parent's name
 };
 
 /// Reads the bones of one skeleton.
@@ -38,7 +38,7 @@ public:
     /// Finds the parents that are told by name. Reports those that are not there.
     std::vector<WrittenBone> take();
     /// Nothing was wrong with those that were read, nor with their parents.
-    bool is_good() const { return is_good_; }
+    bool is_valid() const { return is_good_; }
 
 private:
     void read(const kdl::Node& node, std::optional<std::size_t> parent);
@@ -53,6 +53,6 @@ private:
     bool is_full_ = false; ///< has been reported
 };
 
-NodeWords bone_words();
+NodeSchema bone_words();
 
 }

@@ -11,7 +11,7 @@ BoneRegions::BoneRegions(const Skeleton& skeleton)
         regions_.push_back({frames[i].origin, frames[i].tip(), skeleton.regions[i]});
 }
 
-std::vector<WeightedBone> BoneRegions::around(Spot spot) const
+std::vector<WeightedBone> BoneRegions::around(Vec2 spot) const
 {
     std::vector<WeightedBone> bones;
     for (std::size_t i = 0; i < regions_.size(); ++i) {
@@ -25,14 +25,14 @@ std::vector<WeightedBone> BoneRegions::around(Spot spot) const
     return bones;
 }
 
-std::size_t BoneRegions::nearest(Spot spot) const
+std::size_t BoneRegions::nearest(Vec2 spot) const
 {
     const auto nearest = std::ranges::min_element(
         regions_, {}, [&](const Region& region) { return distance_to(region, spot); });
     return static_cast<std::size_t>(nearest - regions_.begin());
 }
 
-double BoneRegions::distance_to(const Region& region, Spot spot)
+double BoneRegions::distance_to(const Region& region, Vec2 spot)
 {
     return distance_to_line(spot, region.from, region.to);
 }

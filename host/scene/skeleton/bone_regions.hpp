@@ -16,16 +16,16 @@ public:
 
     /// The bones in whose regions `spot` lies. A weight is 1 on the bone and falls smoothly to 0 at the
     /// border.
-    std::vector<WeightedBone> around(Spot spot) const;
-    std::size_t nearest(Spot spot) const;
+    std::vector<WeightedBone> around(Vec2 spot) const;
+    std::size_t nearest(Vec2 spot) const;
 
 private:
     struct Region {
-        Spot from;
-        Spot to;
+        Vec2 from;
+        Vec2 to;
         double radius;
     };
-    static double distance_to(const Region& region, Spot spot);
+    static double distance_to(const Region& region, Vec2 spot);
 
     std::vector<Region> regions_;
 };

@@ -56,18 +56,18 @@ void report_cycles(const Written& bones, const std::vector<std::size_t>& order, 
         std::string chain;
         for (const std::size_t bone : cycle)
             chain += visible(bones[bone].name) + " → ";
-        context.report.error(property_place(*bones[i].node, "parent"),
+        context.report.error(property_span(*bones[i].node, "parent"),
                              "the bone " + in_quotes(bones[i].name) + " hangs on itself, and on no root",
                              chain + visible(bones[i].name) + "; let one of them have no parent");
     }
 }
 
-bool same_place(Spot a, Spot b)
+bool same_place(Vec2 a, Vec2 b)
 {
     return to_sixteenths(a.x) == to_sixteenths(b.x) && to_sixteenths(a.y) == to_sixteenths(b.y);
 }
 
-double direction_between(Spot from, Spot to)
+double direction_between(Vec2 from, Vec2 to)
 {
     return std::atan2(to.y - from.y, to.x - from.x) * BinaryAngle::turn / (2 * std::numbers::pi);
 }
@@ -78,7 +78,7 @@ std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::lroun
 Bone set_up(const WrittenBone& written, const BoneFrame& parent)
 {
     const double angle = direction_between(written.from, written.to) - parent.angle;
-    const Spot origin = parent.inside(written.from);
+    const Vec2 origin = parent.inside(written.from);
     Bone bone;
     bone.name = written.name;
     bone.set_up = {BinaryAngle::from_raw(rounded(angle)).raw, rounded(origin.x * 16), rounded(origin.y * 16),
@@ -119,13 +119,13 @@ void set_up_bones(const Written& written, Skeleton& skeleton, SceneContext& cont
         }
         frames.push_back(frame_in(around, bone, values_as_set_up(bone), 0));
         skeleton.regions.push_back(own.region.value_or(distance(own.from, own.to) / 2));
-        if (own.is_good)
-            skeleton.is_good = check(bone, context) && skeleton.is_good;
+        if (own.is_valid)
+            skeleton.is_valid = check(bone, context) && skeleton.is_valid;
     }
     if (order.size() == written.size())
         return;
     report_cycles(written, order, context);
-    skeleton.is_good = false;
+    skeleton.is_valid = false;
 }
 
 }

@@ -9,7 +9,7 @@
 #include "host/scene/skeleton/reach_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
@@ -43,18 +43,18 @@ void refuse_unknown_nodes(const kdl::Node& node, SceneContext& context)
 {
     for (const kdl::Node& child : node.children)
         if (std::ranges::find(known_nodes, child.name) == known_nodes.end() && !context.report.full())
-            context.report.error(child.name_place, "a skeleton has no node " + in_quotes(child.name),
-                                 word_remedy(child.name, known_nodes));
+            context.report.error(child.name_span, "a skeleton has no node " + in_quotes(child.name),
+                                 word_hint(child.name, known_nodes));
 }
 
 bool has_room(const Skeleton& skeleton, SceneContext& context)
 {
-    if (context.skeletons.entries.size() == most_skeletons)
+    if (context.skeletons.entries.size() == max_skeletons)
         return context.report.error(skeleton.bones.place,
-                                    "a scene has at most " + std::to_string(most_skeletons) + " skeletons");
-    return context.skeletons.bone_count() + skeleton.bones.bones.size() <= most_bones_together ||
+                                    "a scene has at most " + std::to_string(max_skeletons) + " skeletons");
+    return context.skeletons.bone_count() + skeleton.bones.bones.size() <= max_bones_together ||
            context.report.error(skeleton.bones.place, "the skeletons of a scene have at most " +
-                                                          std::to_string(most_bones_together) +
+                                                          std::to_string(max_bones_together) +
                                                           " bones together");
 }
 
@@ -65,10 +65,10 @@ void read_bones(const kdl::Node& node, Skeleton& skeleton, SceneContext& context
         if (child.name == bone_name)
             reader.read(child);
     const std::vector<WrittenBone> written = reader.take();
-    skeleton.is_good = reader.is_good();
-    if (written.empty() && skeleton.is_good)
-        skeleton.is_good = context.report.error(skeleton.bones.place, "this skeleton has no bones",
-                                                "add { bone NAME X Y X Y }");
+    skeleton.is_valid = reader.is_valid();
+    if (written.empty() && skeleton.is_valid)
+        skeleton.is_valid = context.report.error(skeleton.bones.place, "this skeleton has no bones",
+                                                 "add { bone NAME X Y X Y }");
     set_up_bones(written, skeleton, context);
 }
 
@@ -97,7 +97,7 @@ void add_skeleton(const kdl::Node& node, SceneContext& context)
     if (!fits(node, bones_form, context.report))
         return;
     Skeleton skeleton;
-    skeleton.bones.place = span(node.name_place, node.arguments.front().place);
+    skeleton.bones.place = span(node.name_span, node.arguments.front().place);
     BonesProperties properties;
     read_properties(node, bones_rules, properties, context);
     refuse_unknown_nodes(node, context);
@@ -105,15 +105,15 @@ void add_skeleton(const kdl::Node& node, SceneContext& context)
     for (Bone& bone : skeleton.bones.bones)
         bone.turns_as_written = properties.turns_as_written;
     // Where bones are missing, whatever names them would be wrong as well.
-    if (skeleton.is_good)
+    if (skeleton.is_valid)
         read_movement(node, skeleton.bones.bones, context);
     const auto name = read_name(node.arguments.front(), context.report);
     if (!name || !has_room(skeleton, context))
         return;
     skeleton.bones.name = *name;
     if (const auto earlier = context.skeletons.find(*name))
-        report_double("a skeleton", *name, skeleton.bones.place,
-                      context.skeletons.entries[*earlier].bones.place, context.report);
+        report_duplicate("a skeleton", *name, skeleton.bones.place,
+                         context.skeletons.entries[*earlier].bones.place, context.report);
     else
         context.skeletons.entries.push_back(std::move(skeleton));
 }
@@ -127,7 +127,7 @@ void warn_of_unused_skeletons(SceneContext& context)
                 "add skin=" + visible(skeleton.bones.name) + " to an object, or remove it");
 }
 
-NodeWords bones_words()
+NodeSchema bones_words()
 {
     return {
         bones_name, bones_form, {any_name}, words_of(bones_rules), {known_nodes.begin(), known_nodes.end()}};

@@ -2,7 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <string_view>
 
@@ -16,6 +16,6 @@ void add_skeleton(const kdl::Node& node, SceneContext& context);
 /// After all objects have been read.
 void warn_of_unused_skeletons(SceneContext& context);
 
-NodeWords bones_words();
+NodeSchema bones_words();
 
 }

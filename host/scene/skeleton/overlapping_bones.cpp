@@ -21,9 +21,9 @@ using BonePair = std::pair<std::size_t, std::size_t>;
 
 bool lies_on(const BoneFrame& bone, const BoneFrame& longer)
 {
-    const double most = std::max(closeness, slant * bone.length);
+    const double max = std::max(closeness, slant * bone.length);
     return std::max(distance_to_line(bone.origin, longer.origin, longer.tip()),
-                    distance_to_line(bone.tip(), longer.origin, longer.tip())) <= most;
+                    distance_to_line(bone.tip(), longer.origin, longer.tip())) <= max;
 }
 
 bool has_keys(const Bone& bone)
@@ -119,7 +119,7 @@ std::string points_follow(const std::vector<std::size_t>& points)
 }
 
 void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector<Binding>& bindings,
-                               Place place, SceneContext& context)
+                               SourceSpan place, SceneContext& context)
 {
     OverlappingBones overlapping{bones};
     for (std::size_t i = 0; i < bindings.size(); ++i)

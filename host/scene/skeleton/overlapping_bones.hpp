@@ -11,6 +11,6 @@ namespace kfast::scene {
 /// two bones alike that lie on each other as set up and then move apart: neither carries them. `bindings` are
 /// those of its points as `weights` counts them.
 void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector<Binding>& bindings,
-                               Place place, SceneContext& context);
+                               SourceSpan place, SceneContext& context);
 
 }

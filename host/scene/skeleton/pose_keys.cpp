@@ -26,7 +26,7 @@ std::array<std::int32_t, bone_quantity_count> values_of(const PosedBone& posed, 
 {
     const auto [angle, x, y, length] = bone.set_up;
     const BoneFrame directions{{}, parent_angle, 0};
-    const Spot move = directions.inside({posed.x.value_or(0), posed.y.value_or(0)});
+    const Vec2 move = directions.inside({posed.x.value_or(0), posed.y.value_or(0)});
     const std::int32_t turned = angle + rounded(posed.turn.value_or(0) * BinaryAngle::turn / 360);
     return {normal(bone, BoneQuantity::angle, turned), x + rounded(move.x * 16), y + rounded(move.y * 16),
             posed.length ? rounded(*posed.length * 16) : length};
@@ -46,7 +46,7 @@ void warn_of_half_turn(const PosedBone& posed, const Bone& bone, std::int32_t an
 void add_keys(const Pose& pose, const PosedBone& posed, double parent_angle, Bone& bone,
               SceneContext& context)
 {
-    bone.clock = pose.clock.clock();
+    bone.driver = pose.driver.driver();
     const auto values = values_of(posed, bone, parent_angle);
     warn_of_half_turn(posed, bone, values.front(), context);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -72,7 +72,7 @@ std::vector<GivenTurn> add_pose_keys(const std::vector<Pose>& poses, std::vector
         for (const PosedBone& posed : pose.bones) {
             Bone& bone = bones[posed.bone];
             add_keys(pose, posed, bone.parent ? frames[*bone.parent].angle : 0, bone, context);
-            if (posed.turn && pose.clock.is_time())
+            if (posed.turn && pose.driver.is_time())
                 turns.push_back({posed.bone, pose.time, posed.place});
         }
     return turns;

@@ -13,7 +13,7 @@ namespace kfast::scene {
 struct GivenTurn {
     std::size_t bone = 0;
     Time time;
-    Place place;
+    SourceSpan place;
 };
 
 /// Each bone of each pose gets a key of all of its quantities. Returns the turns that are written for times;

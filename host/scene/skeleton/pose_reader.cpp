@@ -6,7 +6,7 @@
 #include "host/scene/values/unseen_keys.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/suggestion.hpp"
@@ -43,7 +43,7 @@ constexpr std::array bone_rules{
 /// `name` is that of a bone.
 NodeForm bone_form(std::string_view name) { return {name, "BONE turn=DEGREES x=X y=Y length=LENGTH"}; }
 
-std::vector<PosedBone> all_as_set_up(std::size_t count, Place place)
+std::vector<PosedBone> all_as_set_up(std::size_t count, SourceSpan place)
 {
     std::vector<PosedBone> bones(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ void PoseReader::read_definition(const kdl::Node& node)
     if (!fits(node, definition_form, context_.report) || !refuse_properties(node, context_.report))
         return;
     const kdl::Value& name = node.arguments.front();
-    const Place place = span(node.name_place, name.place);
+    const SourceSpan place = span(node.name_span, name.place);
     if (node.children.empty())
         context_.report.error(place, "this pose has neither a time nor bones",
                               "write pose TIME " + visible(*name.string()) +
@@ -92,7 +92,7 @@ void PoseReader::read_timed(const kdl::Node& node)
     const kdl::Value& moment = node.arguments.front();
     Pose pose;
     pose.node = &node;
-    pose.place = span(node.name_place, moment.place);
+    pose.place = span(node.name_span, moment.place);
     read_properties(node, pose_rules, pose, context_);
     const kdl::Value* const name = node.arguments.size() > 1 ? &node.arguments.back() : nullptr;
     if (!node.children.empty())
@@ -102,7 +102,7 @@ void PoseReader::read_timed(const kdl::Node& node)
     if (node.children.empty() && name == nullptr)
         context_.report.error(pose.place, "this pose sets no bones",
                               "add { BONE turn=DEGREES }, or the name of a pose such as rest");
-    const auto time = pose.clock.read_moment(moment, context_);
+    const auto time = pose.driver.read_moment(moment, context_);
     pose.time = time.value_or(Time{});
     if (!time || !in_order(pose))
         return;
@@ -113,16 +113,17 @@ void PoseReader::read_timed(const kdl::Node& node)
 
 bool PoseReader::in_order(const Pose& pose)
 {
-    if (poses_.size() == most_keys)
-        return context_.report.error(pose.place,
-                                     "at most " + std::to_string(most_keys) + " poses stand here");
-    const auto goes_alike = [&pose](const Pose& other) { return other.clock.clock() == pose.clock.clock(); };
+    if (poses_.size() == max_keys)
+        return context_.report.error(pose.place, "at most " + std::to_string(max_keys) + " poses stand here");
+    const auto goes_alike = [&pose](const Pose& other) {
+        return other.driver.driver() == pose.driver.driver();
+    };
     const auto before = std::find_if(poses_.rbegin(), poses_.rend(), goes_alike);
     return before == poses_.rend() || comes_later(pose_name, {before->time, before->place},
-                                                  {pose.time, pose.place}, pose.clock, context_);
+                                                  {pose.time, pose.place}, pose.driver, context_);
 }
 
-void PoseReader::define(const kdl::Value& name, Place place, const std::vector<PosedBone>& bones,
+void PoseReader::define(const kdl::Value& name, SourceSpan place, const std::vector<PosedBone>& bones,
                         bool is_used)
 {
     const auto text = read_name(name, context_.report);
@@ -156,12 +157,12 @@ std::optional<PosedBone> PoseReader::read_bone(const kdl::Node& node)
 {
     if (!fits(node, bone_form(node.name), context_.report))
         return std::nullopt;
-    const auto index = read_bone_name(node.name, node.name_place, bones_, context_);
+    const auto index = read_bone_name(node.name, node.name_span, bones_, context_);
     if (!index)
         return std::nullopt;
     PosedBone bone;
     bone.bone = *index;
-    bone.place = node.name_place;
+    bone.place = node.name_span;
     read_properties(node, bone_rules, bone, context_);
     return bone;
 }
@@ -176,7 +177,7 @@ std::vector<Pose> PoseReader::take()
                                     "the pose " + in_quotes(definition.name) + " is not used",
                                     "use it: pose TIME " + visible(definition.name) + ", or remove it");
     warn_of_idle_laws();
-    refuse_two_clocks();
+    refuse_two_drivers();
     take_scene_times();
     return std::move(poses_);
 }
@@ -185,12 +186,12 @@ void PoseReader::take_scene_times()
 {
     std::vector<Pose> timed;
     std::ranges::copy_if(poses_, std::back_inserter(timed),
-                         [](const Pose& pose) { return pose.clock.is_time(); });
+                         [](const Pose& pose) { return pose.driver.is_time(); });
     // The way to a pose is seen in part if it begins before the end.
     take_times(timed, 1, pose_name, context_);
 }
 
-void PoseReader::refuse_two_clocks()
+void PoseReader::refuse_two_drivers()
 {
     std::vector<const Pose*> first(bones_.size());
     for (const Pose& pose : poses_)
@@ -198,7 +199,7 @@ void PoseReader::refuse_two_clocks()
             const Pose*& other = first[posed.bone];
             if (other == nullptr)
                 other = &pose;
-            if (other->clock.clock() == pose.clock.clock())
+            if (other->driver.driver() == pose.driver.driver())
                 continue;
             context_.report.error(pose.place,
                                   "the bone " + in_quotes(bones_[posed.bone].name) +
@@ -233,15 +234,14 @@ void PoseReader::look_up(const Mention& mention)
 /// Leaves them out if all poses together set too many; the first time, reports it.
 void PoseReader::set(Pose& pose, std::vector<PosedBone> bones)
 {
-    const bool had_room = context_.posed_bones <= most_posed_bones;
+    const bool had_room = context_.posed_bones <= max_posed_bones;
     context_.posed_bones += bones.size();
-    if (context_.posed_bones <= most_posed_bones)
+    if (context_.posed_bones <= max_posed_bones)
         pose.bones = std::move(bones);
     else if (had_room)
-        context_.report.error(pose.place,
-                              "the poses of this scene set more than " + std::to_string(most_posed_bones) +
-                                  " bones",
-                              "let poses set only the bones that they move");
+        context_.report.error(
+            pose.place, "the poses of this scene set more than " + std::to_string(max_posed_bones) + " bones",
+            "let poses set only the bones that they move");
 }
 
 /// Those that have no way to govern: no later pose sets one of the bones.
@@ -253,7 +253,7 @@ void PoseReader::warn_of_idle_laws()
         if (!shares_a_bone(pose, later))
             for (const auto& rule : law_rules<Pose>)
                 if (const std::string name{rule.name}; has_property(*pose.node, name))
-                    context_.report.warning(property_place(*pose.node, name),
+                    context_.report.warning(property_span(*pose.node, name),
                                             "this " + name + " governs nothing",
                                             "remove it, or let a later pose set one of these bones");
         for (const PosedBone& posed : pose.bones)
@@ -261,7 +261,7 @@ void PoseReader::warn_of_idle_laws()
     }
 }
 
-std::vector<NodeWords> pose_words()
+std::vector<NodeSchema> pose_words()
 {
     constexpr std::string_view bone = "bone of pose";
     return {{pose_name, timed_form, {any_moment, any_name}, words_of(pose_rules), {bone}},

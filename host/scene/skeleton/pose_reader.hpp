@@ -4,10 +4,10 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/scene/values/key_clock.hpp"
+#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/key_laws.hpp"
 #include "host/schema/name_table.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -26,16 +26,16 @@ struct PosedBone {
     std::optional<double> x;    ///< of the origin, in pixels from where it is as set up, in the directions of
     std::optional<double> y;    ///< the canvas as set up
     std::optional<double> length; ///< in pixels
-    Place place;
+    SourceSpan place;
 };
 
 /// A pose at a time, or at a value of an input.
 struct Pose {
     const kdl::Node* node = nullptr;
     Time time;
-    Place place;
+    SourceSpan place;
     KeyLaws laws;
-    KeyClock clock;
+    KeyDriver driver;
     std::vector<PosedBone> bones; ///< each at most once
 };
 
@@ -54,7 +54,7 @@ private:
     /// A pose that has a name and says what it is.
     struct Definition {
         std::string name;
-        Place place;
+        SourceSpan place;
         std::vector<PosedBone> bones;
         bool is_used = false;
     };
@@ -67,13 +67,13 @@ private:
     void read_definition(const kdl::Node& node);
     void read_timed(const kdl::Node& node);
     bool in_order(const Pose& pose);
-    void define(const kdl::Value& name, Place place, const std::vector<PosedBone>& bones, bool is_used);
+    void define(const kdl::Value& name, SourceSpan place, const std::vector<PosedBone>& bones, bool is_used);
     std::vector<PosedBone> read_bones(const kdl::Node& node);
     std::optional<PosedBone> read_bone(const kdl::Node& node);
     void look_up(const Mention& mention);
     void set(Pose& pose, std::vector<PosedBone> bones);
     void warn_of_idle_laws();
-    void refuse_two_clocks();
+    void refuse_two_drivers();
     void take_scene_times();
 
     const std::vector<Bone>& bones_;
@@ -85,6 +85,6 @@ private:
 };
 
 /// Of poses with a time and without, and of the bones in them.
-std::vector<NodeWords> pose_words();
+std::vector<NodeSchema> pose_words();
 
 }

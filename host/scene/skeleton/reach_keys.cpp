@@ -17,7 +17,7 @@ namespace {
 /// Pixels. Leaves what is missing to 1/16 to the player, whose angles are rounded.
 constexpr double tolerance = 3.0 / 64;
 constexpr double promised = 1.0 / 16;
-constexpr std::int32_t most_samples = 32; ///< between two keys
+constexpr std::int32_t max_samples = 32; ///< between two keys
 
 /// Of both bones, in the frame of its parent each; counted modulo one turn.
 struct ArmKey {
@@ -47,12 +47,12 @@ public:
         find_stops();
     }
 
-    /// More than most_keys if it takes too many.
+    /// More than max_keys if it takes too many.
     std::vector<ArmKey> keys()
     {
         std::vector<ArmKey> keys{key_at(reach_.begin())};
         for (const Time stop : stops_)
-            while (keys.back().time < stop && keys.size() <= most_keys)
+            while (keys.back().time < stop && keys.size() <= max_keys)
                 keys.push_back(key_at(next_time(keys.back(), stop)));
         return keys;
     }
@@ -99,11 +99,11 @@ private:
     }
 
     /// Doubles the step before, then halves the rest. There is no moment within a step of one tick.
-    std::int32_t longest_step(const ArmKey& from, std::int32_t most) const
+    std::int32_t longest_step(const ArmKey& from, std::int32_t max) const
     {
         std::int32_t good = 1;
-        std::int32_t bad = most + 1;
-        for (std::int32_t step = std::min(step_, most); good < step; step = std::min(2 * step, most)) {
+        std::int32_t bad = max + 1;
+        for (std::int32_t step = std::min(step_, max); good < step; step = std::min(2 * step, max)) {
             if (!holds(from, step)) {
                 bad = step;
                 break;
@@ -120,7 +120,7 @@ private:
     bool holds(const ArmKey& from, std::int32_t ticks) const
     {
         const ArmKey to = key_at(from.time + Time{ticks});
-        const std::int32_t steps = std::min(ticks, most_samples + 1);
+        const std::int32_t steps = std::min(ticks, max_samples + 1);
         for (std::int32_t i = 1; i < steps; ++i)
             if (!holds_at(from, to, Time{static_cast<std::int32_t>(std::int64_t{ticks} * i / steps)}))
                 return false;
@@ -133,7 +133,7 @@ private:
         const Arm arm = arm_at(bones_, reach_.bone, time);
         const ArmAngles exact = angles_reaching(arm, target_at(reach_, time), reach_.bend);
         const double share = static_cast<double>(passed.ticks) / (to.time - from.time).ticks;
-        const Spot tip = arm.tip(between(from.upper, to.upper, share), between(from.lower, to.lower, share));
+        const Vec2 tip = arm.tip(between(from.upper, to.upper, share), between(from.lower, to.lower, share));
         return distance(tip, arm.tip(exact.upper, exact.lower)) <=
                std::max(tolerance, tolerance / 2 + lost_by_rounding(arm));
     }
@@ -147,7 +147,7 @@ private:
 double missing_at(const Reach& reach, const std::vector<Bone>& bones, Time time)
 {
     const Arm arm = arm_at(bones, reach.bone, time);
-    const Spot target = target_at(reach, time);
+    const Vec2 target = target_at(reach, time);
     const ArmAngles angles = angles_reaching(arm, target, reach.bend);
     return distance(arm.tip(angles.upper, angles.lower), target);
 }
@@ -155,10 +155,11 @@ double missing_at(const Reach& reach, const std::vector<Bone>& bones, Time time)
 struct Miss {
     double pixels = 0;
     Time time;
-    Place place; ///< of the target that is nearest before it
+    SourceSpan place; ///< of the target that is nearest before it
 };
 
-void take_if_worse(Miss& worst, const Reach& reach, const std::vector<Bone>& bones, Time time, Place place)
+void take_if_worse(Miss& worst, const Reach& reach, const std::vector<Bone>& bones, Time time,
+                   SourceSpan place)
 {
     const double missing = missing_at(reach, bones, time);
     if (missing > std::max(promised, worst.pixels))
@@ -168,9 +169,9 @@ void take_if_worse(Miss& worst, const Reach& reach, const std::vector<Bone>& bon
 /// Of all targets, and of the frames between them; of very many frames it looks only at some.
 Miss worst_miss(const Reach& reach, const std::vector<Bone>& bones)
 {
-    constexpr std::int32_t most_frames = 10'000;
+    constexpr std::int32_t max_frames = 10'000;
     const std::int32_t frames = (reach.end() - reach.begin()).ticks / Time::ticks_per_frame;
-    const Time step = Time::frame(frames / most_frames + 1);
+    const Time step = Time::frame(frames / max_frames + 1);
     Miss worst;
     for (const ReachTarget& target : reach.targets)
         take_if_worse(worst, reach, bones, target.time, target.place);
@@ -223,7 +224,7 @@ bool refuse_other_turns(const Reach& reach, const std::vector<GivenTurn>& turns,
 bool refuse_inputs(const Reach& reach, const std::vector<Bone>& bones, SceneContext& context)
 {
     for (std::optional<std::size_t> bone = reach.bone; bone; bone = bones[*bone].parent)
-        if (!bones[*bone].clock.is_time())
+        if (!bones[*bone].driver.is_time())
             return context.report.error(reach.place,
                                         "this reach goes by the time, but an input moves " +
                                             in_quotes(bones[*bone].name),
@@ -272,8 +273,8 @@ bool insert_angles(const Reach& reach, const std::vector<ArmKey>& angles, std::i
 void add_keys(const Reach& reach, std::vector<Bone>& bones, SceneContext& context)
 {
     const std::vector<ArmKey> keys = ReachTracer{bones, reach}.keys();
-    if (keys.size() > most_keys) {
-        context.report.error(reach.place, "this reach takes more than " + std::to_string(most_keys) + " keys",
+    if (keys.size() > max_keys) {
+        context.report.error(reach.place, "this reach takes more than " + std::to_string(max_keys) + " keys",
                              "let it be shorter, or what moves the bones above it simpler");
         return;
     }

@@ -9,7 +9,7 @@
 #include "host/scene/values/timed_value.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/text/glyph.hpp"
 #include "host/words/synonyms.hpp"
 
@@ -60,7 +60,7 @@ std::optional<std::size_t> read_bone(const kdl::Value& value, const std::vector<
     return read_bone_name(*name, value.place, bones, context);
 }
 
-bool check_chain(const Bone& bone, const std::vector<Bone>& bones, Place place, SceneContext& context)
+bool check_chain(const Bone& bone, const std::vector<Bone>& bones, SourceSpan place, SceneContext& context)
 {
     if (!bone.parent)
         return context.report.error(
@@ -76,8 +76,8 @@ bool check_chain(const Bone& bone, const std::vector<Bone>& bones, Place place, 
 std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
 {
     const std::vector<BoneFrame> frames = frames_as_set_up(bones);
-    const Spot origin = frames[*bones[bone].parent].origin;
-    const Spot tip = frames[bone].tip();
+    const Vec2 origin = frames[*bones[bone].parent].origin;
+    const Vec2 tip = frames[bone].tip();
     const double side = cross(tip - origin, frames[bone].origin - origin);
     if (std::abs(side) <= straight * distance(origin, tip))
         return std::nullopt;
@@ -87,8 +87,8 @@ std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
 std::optional<WrittenTarget> read_target(const kdl::Node& node, SceneContext& context)
 {
     if (node.name != at_form.name) {
-        context.report.error(node.name_place, "a reach has no node " + in_quotes(node.name),
-                             word_remedy(node.name, std::array{at_form.name}));
+        context.report.error(node.name_span, "a reach has no node " + in_quotes(node.name),
+                             word_hint(node.name, std::array{at_form.name}));
         return std::nullopt;
     }
     if (!fits(node, at_form, context.report))
@@ -104,7 +104,7 @@ std::optional<WrittenTarget> read_target(const kdl::Node& node, SceneContext& co
                          {.time = *time,
                           .spot = {(*spot)[0], (*spot)[1]},
                           .law = properties.laws.of_rest().x,
-                          .place = span(node.name_place, node.arguments.front().place)}};
+                          .place = span(node.name_span, node.arguments.front().place)}};
 }
 
 PlacedMoment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
@@ -124,11 +124,11 @@ std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Scen
     for (std::size_t i = 1; i < written.size(); ++i)
         good = comes_later("target", moment_of(written[i - 1]), moment_of(written[i]), {}, context) && good;
     if (node.children.empty())
-        good = context.report.error(node.name_place, "this reach has no target", "add { at TIME X Y }");
+        good = context.report.error(node.name_span, "this reach has no target", "add { at TIME X Y }");
     if (!good)
         return std::nullopt;
     if (has_property(*written.back().node, "law"))
-        context.report.warning(property_place(*written.back().node, "law"), "this law governs nothing",
+        context.report.warning(property_span(*written.back().node, "law"), "this law governs nothing",
                                "remove it, or add a later target");
     std::vector<ReachTarget> targets;
     targets.reserve(written.size());
@@ -139,7 +139,7 @@ std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, Scen
 
 }
 
-Spot target_at(const Reach& reach, Time time)
+Vec2 target_at(const Reach& reach, Time time)
 {
     const auto to = std::ranges::upper_bound(reach.targets, time, {}, &ReachTarget::time);
     const ReachTarget& from = *(to - 1);
@@ -161,7 +161,7 @@ std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& 
     if (!bone || !check_chain(bones[*bone], bones, name.place, context) || !targets || !good)
         return std::nullopt;
     const auto bend = properties.bend ? properties.bend : bend_of(bones, *bone);
-    const Place place = span(node.name_place, name.place);
+    const SourceSpan place = span(node.name_span, name.place);
     if (!bend) {
         context.report.error(place, "the bones are set up in a straight line, which tells no side to bend to",
                              "add bend=left or bend=right");
@@ -171,7 +171,7 @@ std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& 
     return Reach{*bone, *bend, std::move(*targets), place};
 }
 
-std::vector<NodeWords> reach_words()
+std::vector<NodeSchema> reach_words()
 {
     constexpr std::string_view target = "at of reach";
     return {{reach_name, reach_form, {any_name}, words_of(reach_rules), {target}},

@@ -6,7 +6,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +24,9 @@ enum class Bend : std::uint8_t { left, right };
 /// Where the tip is to be; the law governs the way to the next target, which is straight.
 struct ReachTarget {
     Time time;
-    Spot spot;
+    Vec2 spot;
     VelocityLaw law;
-    Place place;
+    SourceSpan place;
 };
 
 /// A bone and its parent turn so that the tip of the bone follows a target.
@@ -34,19 +34,19 @@ struct Reach {
     std::size_t bone = 0; ///< has a parent, and begins at its tip
     Bend bend = Bend::left;
     std::vector<ReachTarget> targets; ///< at least one; their times rise
-    Place place;
+    SourceSpan place;
 
     Time begin() const { return targets.front().time; }
     Time end() const { return targets.back().time; }
 };
 
 /// Where the target is at a time between begin() and end().
-Spot target_at(const Reach& reach, Time time);
+Vec2 target_at(const Reach& reach, Time time);
 
 /// Nothing when the node gives no usable reach; what is wrong is reported.
 std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, SceneContext& context);
 
 /// Of a reach, and of its targets.
-std::vector<NodeWords> reach_words();
+std::vector<NodeSchema> reach_words();
 
 }

@@ -15,7 +15,7 @@ class SkinPoints {
 public:
     explicit SkinPoints(const Drawing& drawing);
 
-    const std::vector<Spot>& spots() const { return spots_; }
+    const std::vector<Vec2>& spots() const { return spots_; }
     /// For each point as the format counts them; `bindings` are those of spots().
     std::vector<Binding> bindings_of_all(const std::vector<Binding>& bindings) const;
 
@@ -23,7 +23,7 @@ private:
     void add(const Stroke& stroke);
     void add(Point point);
 
-    std::vector<Spot> spots_;
+    std::vector<Vec2> spots_;
     std::vector<std::size_t> all_; ///< indices into spots_
 };
 

@@ -16,11 +16,11 @@ namespace {
 
 void refuse_without_skin(const WrittenSkin& written, SceneContext& context)
 {
-    constexpr auto remedy = "add skin=NAME to the object, with the name of a skeleton";
+    constexpr auto hint = "add skin=NAME to the object, with the name of a skeleton";
     if (written.bone != nullptr)
-        context.report.error(written.bone->place, "a bone carries only an object that has a skin", remedy);
+        context.report.error(written.bone->place, "a bone carries only an object that has a skin", hint);
     if (written.weights != nullptr)
-        context.report.error(written.weights->name_place, "weights need a skin", remedy);
+        context.report.error(written.weights->name_span, "weights need a skin", hint);
 }
 
 std::optional<std::size_t> find_skeleton(const kdl::Value& value, SceneContext& context)
@@ -66,13 +66,13 @@ const Drawing& first_seen(const std::vector<Key>& keys)
 }
 
 std::optional<std::vector<Binding>> read_bindings(const WrittenSkin& written, const Skeleton& skeleton,
-                                                  const std::vector<Spot>& spots, SceneContext& context)
+                                                  const std::vector<Vec2>& spots, SceneContext& context)
 {
     if (written.bone == nullptr)
         return read_weights(written.weights, skeleton, spots, written.place, context);
     if (written.weights != nullptr)
-        context.report.error(written.weights->name_place,
-                             "both bone= and weights say what carries the object", "leave it to one of them");
+        context.report.error(written.weights->name_span, "both bone= and weights say what carries the object",
+                             "leave it to one of them");
     const auto name = read_name(*written.bone, context.report);
     const auto bone =
         name ? read_bone_name(*name, written.bone->place, skeleton.bones.bones, context) : std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Skin> read_skin(const WrittenSkin& written, const std::vector<Key>
         return std::nullopt;
     }
     const auto index = find_skeleton(*written.skeleton, context);
-    if (!index || !context.skeletons.entries[*index].is_good || keys.empty())
+    if (!index || !context.skeletons.entries[*index].is_valid || keys.empty())
         return std::nullopt;
     const Drawing& first = first_seen(keys);
     const SkinPoints points{first};

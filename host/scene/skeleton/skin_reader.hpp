@@ -15,7 +15,7 @@ struct WrittenSkin {
     const kdl::Value* bone = nullptr;     ///< of its property "bone"
     bool turns_changes = false;           ///< of its property "change"
     const kdl::Node* weights = nullptr;
-    Place place; ///< of the object
+    SourceSpan place; ///< of the object
 };
 
 /// `keys` are those of the object. Nothing if there is no skin, or none that can be used; what is wrong is

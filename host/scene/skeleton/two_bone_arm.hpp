@@ -8,10 +8,10 @@ namespace kfast::scene {
 /// A bone and its parent at a moment, but for how they are turned.
 struct Arm {
     BoneFrame base; ///< what the upper bone turns in, its origin moved to that of the upper bone
-    Spot joint;     ///< in the frame of the upper bone
+    Vec2 joint;     ///< in the frame of the upper bone
     double lower_length = 0;
 
-    Spot tip(double upper, double lower) const;
+    Vec2 tip(double upper, double lower) const;
 };
 
 /// The arm that ends in `bone`, whose own angle and that of its parent are not looked at.
@@ -24,6 +24,6 @@ struct ArmAngles {
 };
 
 /// That bring the tip to `target`, or as near to it as can be.
-ArmAngles angles_reaching(const Arm& arm, Spot target, Bend bend);
+ArmAngles angles_reaching(const Arm& arm, Vec2 target, Bend bend);
 
 }

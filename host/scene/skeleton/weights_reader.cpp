@@ -6,7 +6,7 @@
 #include "host/scene/skeleton/overlapping_bones.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -27,7 +27,7 @@ NodeForm weight_form(std::string_view name) { return {name, "BONE WEIGHT", 1, 1}
 
 constexpr Range weights_range{0, 1000};
 
-constexpr Range point_numbers{1, double{most_points}};
+constexpr Range point_numbers{1, double{max_points}};
 
 enum class Spread : std::uint8_t {
     by_distance, ///< the nearer a bone, the more
@@ -36,7 +36,7 @@ enum class Spread : std::uint8_t {
 
 constexpr std::array spreads{Word<Spread>{"auto", Spread::by_distance}, Word<Spread>{"mean", Spread::evenly}};
 
-std::string place_text(Spot spot) { return text_of(spot.x) + ", " + text_of(spot.y); }
+std::string place_text(Vec2 spot) { return text_of(spot.x) + ", " + text_of(spot.y); }
 
 /// "3 points" or "1 point"
 std::string points_text(std::size_t count)
@@ -49,13 +49,13 @@ Binding spread_out(std::vector<WeightedBone> bones, Spread spread)
     if (spread == Spread::by_distance)
         return bound(std::move(bones));
     std::ranges::stable_sort(bones, std::ranges::greater{}, &WeightedBone::weight);
-    bones.resize(std::min(bones.size(), most_bones_at_point));
+    bones.resize(std::min(bones.size(), max_bones_at_point));
     for (WeightedBone& bone : bones)
         bone.weight = 1;
     return bound(std::move(bones));
 }
 
-void warn_of_points_outside(std::size_t count, Spot first, Place place, SceneContext& context)
+void warn_of_points_outside(std::size_t count, Vec2 first, SourceSpan place, SceneContext& context)
 {
     const std::string where = " in no region of a bone, " + std::string{count == 1 ? "" : "the first "};
     context.report.warning(place,
@@ -65,13 +65,13 @@ void warn_of_points_outside(std::size_t count, Spot first, Place place, SceneCon
                            "let a bone have a larger region=…, or give weights");
 }
 
-std::vector<Binding> weights_of_regions(const Skeleton& skeleton, const std::vector<Spot>& spots,
-                                        Spread spread, Place place, SceneContext& context)
+std::vector<Binding> weights_of_regions(const Skeleton& skeleton, const std::vector<Vec2>& spots,
+                                        Spread spread, SourceSpan place, SceneContext& context)
 {
     const BoneRegions regions{skeleton};
     std::vector<Binding> bindings;
-    std::vector<Spot> outside;
-    for (const Spot spot : spots) {
+    std::vector<Vec2> outside;
+    for (const Vec2 spot : spots) {
         std::vector<WeightedBone> bones = regions.around(spot);
         if (bones.empty()) {
             outside.push_back(spot);
@@ -87,7 +87,7 @@ std::vector<Binding> weights_of_regions(const Skeleton& skeleton, const std::vec
 /// Weights that are given.
 class GivenWeights {
 public:
-    GivenWeights(const kdl::Node& node, const std::vector<Bone>& bones, const std::vector<Spot>& spots,
+    GivenWeights(const kdl::Node& node, const std::vector<Bone>& bones, const std::vector<Vec2>& spots,
                  SceneContext& context)
         : node_{node}, bones_{bones}, spots_{spots}, context_{context}, bindings_(spots.size()),
           places_(spots.size())
@@ -102,7 +102,7 @@ public:
             return read_one();
         const auto other = std::ranges::find_if_not(node_.children, is_points);
         if (other != node_.children.end())
-            is_good_ = context_.report.error(other->name_place,
+            is_good_ = context_.report.error(other->name_span,
                                              "weights are either those of all points, or of some points each",
                                              "put it into braces: points FIRST LAST { BONE WEIGHT }");
         for (const kdl::Node& child : node_.children)
@@ -134,7 +134,7 @@ private:
                               : read_whole_number(node.arguments.back(), numbers, context_.report);
         if (!binding || !first || !last)
             return false;
-        const Place place = span(node.name_place, node.arguments.back().place);
+        const SourceSpan place = span(node.name_span, node.arguments.back().place);
         if (*first > *last)
             return context_.report.error(place, "the first of these points comes behind the last",
                                          "exchange the numbers");
@@ -144,7 +144,7 @@ private:
         return true;
     }
 
-    bool set(std::size_t point, const Binding& binding, Place place)
+    bool set(std::size_t point, const Binding& binding, SourceSpan place)
     {
         if (!bindings_[point].empty())
             return context_.report.error(place, "point " + std::to_string(point + 1) +
@@ -161,13 +161,13 @@ private:
         bool good = true;
         for (const kdl::Node& child : node.children)
             good = read_weight(child, weights) && good;
-        if (node.children.size() > most_bones_at_point)
-            good = context_.report.error(node.children[most_bones_at_point].name_place,
-                                         "a point follows at most " + std::to_string(most_bones_at_point) +
+        if (node.children.size() > max_bones_at_point)
+            good = context_.report.error(node.children[max_bones_at_point].name_span,
+                                         "a point follows at most " + std::to_string(max_bones_at_point) +
                                              " bones");
         const auto is_heavy = [](const WeightedBone& bone) { return bone.weight > 0; };
         if (good && std::ranges::none_of(weights, is_heavy))
-            good = context_.report.error(node.name_place, "these weights add up to nothing",
+            good = context_.report.error(node.name_span, "these weights add up to nothing",
                                          "give a bone a weight above 0");
         return good ? std::optional{bound(std::move(weights))} : std::nullopt;
     }
@@ -176,12 +176,12 @@ private:
     {
         if (!fits(node, weight_form(node.name), context_.report) || !refuse_properties(node, context_.report))
             return false;
-        const auto bone = read_bone_name(node.name, node.name_place, bones_, context_);
+        const auto bone = read_bone_name(node.name, node.name_span, bones_, context_);
         const auto weight = read_number(node.arguments.front(), weights_range, context_.report);
         if (!bone || !weight)
             return false;
         if (std::ranges::find(weights, *bone, &WeightedBone::bone) != weights.end())
-            return context_.report.error(node.name_place, in_quotes(node.name) + " has a weight already",
+            return context_.report.error(node.name_span, in_quotes(node.name) + " has a weight already",
                                          "remove one of them");
         weights.push_back({*bone, *weight});
         return true;
@@ -194,7 +194,7 @@ private:
             return;
         const auto index = static_cast<std::size_t>(missing - bindings_.begin());
         const auto count = static_cast<std::size_t>(std::ranges::count_if(bindings_, &Binding::empty));
-        is_good_ = context_.report.error(node_.name_place,
+        is_good_ = context_.report.error(node_.name_span,
                                          points_text(count) + " without weights; the first is point " +
                                              std::to_string(index + 1) + ", at " + place_text(spots_[index]),
                                          "add points " + std::to_string(index + 1) + " { BONE WEIGHT }");
@@ -202,17 +202,17 @@ private:
 
     const kdl::Node& node_;
     const std::vector<Bone>& bones_;
-    const std::vector<Spot>& spots_;
+    const std::vector<Vec2>& spots_;
     SceneContext& context_;
     std::vector<Binding> bindings_;
-    std::vector<Place> places_;
+    std::vector<SourceSpan> places_;
     bool is_good_ = true;
 };
 
 }
 
 std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
-                                                 const std::vector<Spot>& spots, Place place,
+                                                 const std::vector<Vec2>& spots, SourceSpan place,
                                                  SceneContext& context)
 {
     if (weights == nullptr) {
@@ -223,7 +223,7 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
     if (!fits(*weights, weights_form, context.report) || !refuse_properties(*weights, context.report))
         return std::nullopt;
     if (weights->arguments.empty() == weights->children.empty()) {
-        context.report.error(weights->name_place, "weights are either a word or those of bones",
+        context.report.error(weights->name_span, "weights are either a word or those of bones",
                              "write weights auto, weights mean, or weights { BONE WEIGHT }");
         return std::nullopt;
     }
@@ -235,7 +235,7 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
     return weights_of_regions(skeleton, spots, *spread, place, context);
 }
 
-std::vector<NodeWords> weights_words()
+std::vector<NodeSchema> weights_words()
 {
     constexpr std::string_view bone = "bone of weights";
     return {{weights_name, weights_form, {ValueKind::one_of<spreads>()}, {}, {points_name, bone}},

@@ -5,7 +5,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/context/skeleton_table.hpp"
 #include "host/scene/skeleton/binding.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 #include <string_view>
@@ -21,10 +21,10 @@ inline constexpr std::string_view weights_name = "weights";
 /// What bones the points at `spots` follow, by the node `weights`; automatically if it is null. `place` is
 /// that of the object. Nothing if that cannot be said; what is wrong is reported.
 std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
-                                                 const std::vector<Spot>& spots, Place place,
+                                                 const std::vector<Vec2>& spots, SourceSpan place,
                                                  SceneContext& context);
 
 /// Of weights, of those of single points, and of the bones in both.
-std::vector<NodeWords> weights_words();
+std::vector<NodeSchema> weights_words();
 
 }

@@ -10,7 +10,7 @@ namespace kfast::scene {
 
 std::optional<Path> read_along_path(const kdl::Value& data, SceneContext& context)
 {
-    const auto outlines = read_path_data(data, most_points, context);
+    const auto outlines = read_path_data(data, max_points, context);
     if (!outlines)
         return std::nullopt;
     if (outlines->size() > 1) {

@@ -5,7 +5,7 @@
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <cmath>
@@ -101,12 +101,12 @@ void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context)
     scene.frame_rate = context.frame_rate;
     scene.loop = canvas.loop;
     scene.has_routes = canvas.has_routes;
-    scene.camera = canvas.camera.value_or(static_cast<int>(usual_camera(scene.canvas)));
+    scene.camera = canvas.camera.value_or(static_cast<int>(default_camera(scene.canvas)));
     if (canvas.length != nullptr)
         context.length = read_length(*canvas.length, context);
 }
 
-NodeWords canvas_words()
+NodeSchema canvas_words()
 {
     return {canvas_form.name, canvas_form, {ValueKind::whole(sizes)}, words_of(canvas_rules)};
 }

@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 namespace kfast::scene {
 
@@ -11,6 +11,6 @@ namespace kfast::scene {
 /// the nodes that follow need: the frame rate, and the length if the canvas gives one.
 void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context);
 
-NodeWords canvas_words();
+NodeSchema canvas_words();
 
 }

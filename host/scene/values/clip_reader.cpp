@@ -4,7 +4,7 @@
 #include "host/scene/values/scene_end.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <string>
@@ -37,7 +37,7 @@ constexpr std::array clip_rules{
 
 bool lies_in_scene(const Clip& clip, const kdl::Node& node, Time length, SceneContext& context)
 {
-    const Place end = property_place(node, "to");
+    const SourceSpan end = property_span(node, "to");
     if (clip.end <= clip.begin)
         return context.report.error(end, "this clip ends before anything of it is shown",
                                     "let to= be later than from=");
@@ -55,17 +55,17 @@ std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& nam
         read_properties(node, clip_rules, clip, context) && lies_in_scene(clip, node, length, context);
     const kdl::Value& value = node.arguments.front();
     const auto name = read_name(value, context.report);
-    const Place place = span(node.name_place, value.place);
+    const SourceSpan place = span(node.name_span, value.place);
     if (!name || !add_name(names, "a clip", *name, place, context.report) || !good)
         return std::nullopt;
-    if (names.size() > most_clips) {
-        context.report.error(place, "a scene has at most " + std::to_string(most_clips) + " clips");
+    if (names.size() > max_clips) {
+        context.report.error(place, "a scene has at most " + std::to_string(max_clips) + " clips");
         return std::nullopt;
     }
     clip.name = *name;
     return clip;
 }
 
-NodeWords clip_words() { return {clip_form.name, clip_form, {any_name}, words_of(clip_rules)}; }
+NodeSchema clip_words() { return {clip_form.name, clip_form, {any_name}, words_of(clip_rules)}; }
 
 }

@@ -5,7 +5,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
 #include "host/schema/name_table.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 
@@ -15,6 +15,6 @@ namespace kfast::scene {
 /// those of the clips before it.
 std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, SceneContext& context);
 
-NodeWords clip_words();
+NodeSchema clip_words();
 
 }

@@ -3,7 +3,7 @@
 #include "host/scene/values/scene_end.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 namespace kfast::scene {
@@ -11,7 +11,7 @@ namespace {
 
 constexpr NodeForm event_form{"event", "event TIME NAME", 2, 2};
 
-bool lies_in_scene(Time time, Place place, const Scene& scene, SceneContext& context)
+bool lies_in_scene(Time time, SourceSpan place, const Scene& scene, SceneContext& context)
 {
     if (time > scene.length)
         return report_beyond_end("this event comes", place, scene.length, context);
@@ -36,6 +36,6 @@ std::optional<Event> read_event(const kdl::Node& node, const Scene& scene, Scene
     return Event{.name = std::string{*name}, .time = *time};
 }
 
-NodeWords event_words() { return {event_form.name, event_form, {any_time, any_name}}; }
+NodeSchema event_words() { return {event_form.name, event_form, {any_time, any_name}}; }
 
 }

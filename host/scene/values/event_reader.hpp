@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <optional>
 
@@ -12,6 +12,6 @@ namespace kfast::scene {
 /// Nothing when the node gives no usable event; what is wrong is reported. `scene` has its length and loop.
 std::optional<Event> read_event(const kdl::Node& node, const Scene& scene, SceneContext& context);
 
-NodeWords event_words();
+NodeSchema event_words();
 
 }

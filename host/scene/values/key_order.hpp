@@ -2,7 +2,7 @@
 
 #include "core/time/time.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/values/key_clock.hpp"
+#include "host/scene/values/key_driver.hpp"
 
 #include <string_view>
 
@@ -12,11 +12,11 @@ namespace kfast::scene {
 /// Where and when something is.
 struct PlacedMoment {
     Time time;
-    Place place;
+    SourceSpan place;
 };
 
 /// Whether `at`, a `noun` such as "key", is later than `before` on their `clock`, and reports it if not.
-bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyClock& clock,
+bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyDriver& driver,
                  SceneContext& context);
 
 }

@@ -77,7 +77,7 @@ constexpr auto law_names = [] {
     return names;
 }();
 
-std::string remedy_for(std::string_view form) { return "write \"" + std::string{form} + "\""; }
+std::string hint_for(std::string_view form) { return "write \"" + std::string{form} + "\""; }
 
 std::string count_of_numbers(const CallForm& call)
 {
@@ -106,7 +106,7 @@ private:
     char next();
 
     /// From `begin` to where the scanner stands, or the byte there. Always false.
-    bool fail(std::size_t begin, std::string message, std::string remedy);
+    bool fail(std::size_t begin, std::string message, std::string hint);
 
     PathScanner scanner_; ///< numbers are written as in paths
     std::string_view text_;
@@ -124,7 +124,7 @@ std::optional<VelocityLaw> LawReader::read()
         return read_call(*call);
     const auto law = std::ranges::find(plain_laws, name, &Word<VelocityLaw>::name);
     if (law == plain_laws.end())
-        fail(begin, "unknown law " + in_quotes(name), word_remedy(name, law_names));
+        fail(begin, "unknown law " + in_quotes(name), word_hint(name, law_names));
     else if (expect_end(name))
         return law->meaning;
     return std::nullopt;
@@ -154,9 +154,9 @@ std::optional<double> LawReader::read_number(const CallForm& call, const Paramet
     const auto number = scanner_.number();
     const std::string name{parameter.name};
     if (is_missing)
-        fail(begin, count_of_numbers(call), remedy_for(call.form));
+        fail(begin, count_of_numbers(call), hint_for(call.form));
     else if (!is_number)
-        fail(begin, "a number is expected here", remedy_for(call.form));
+        fail(begin, "a number is expected here", hint_for(call.form));
     else if (!number || *number < parameter.range.low || *number > parameter.range.high)
         fail(begin, name + " is out of range", allowed(parameter.range));
     else if (call.whole_numbers && std::trunc(*number) != *number)
@@ -175,8 +175,8 @@ bool LawReader::expect(char mark, const CallForm& call)
         return true;
     }
     if (mark == '(' || found == ')' || found == ',')
-        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), remedy_for(call.form));
-    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", remedy_for(call.form));
+        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), hint_for(call.form));
+    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", hint_for(call.form));
 }
 
 bool LawReader::expect_end(std::string_view form)
@@ -186,7 +186,7 @@ bool LawReader::expect_end(std::string_view form)
     const std::size_t begin = scanner_.offset();
     while (!scanner_.at_end())
         scanner_.take();
-    return fail(begin, "this is too much for a law", remedy_for(form));
+    return fail(begin, "this is too much for a law", hint_for(form));
 }
 
 std::string_view LawReader::take_name()
@@ -204,11 +204,11 @@ char LawReader::next()
     return scanner_.at_end() ? '\0' : text_[scanner_.offset()];
 }
 
-bool LawReader::fail(std::size_t begin, std::string message, std::string remedy)
+bool LawReader::fail(std::size_t begin, std::string message, std::string hint)
 {
-    const std::size_t least = begin < text_.size() ? 1 : 0;
-    const Place place{begin, std::max(scanner_.offset() - begin, least)};
-    pass_on({Severity::error, place, std::move(message), std::move(remedy)}, value_, "law", report_);
+    const std::size_t min = begin < text_.size() ? 1 : 0;
+    const SourceSpan place{begin, std::max(scanner_.offset() - begin, min)};
+    pass_on({Severity::error, place, std::move(message), std::move(hint)}, value_, "law", report_);
     return false;
 }
 

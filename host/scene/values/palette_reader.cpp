@@ -3,7 +3,7 @@
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 
 namespace kfast::scene {
@@ -31,13 +31,13 @@ void read_named_colour(const kdl::Node& node, SceneContext& context)
         return;
     // A wrong colour does not make every use of its name wrong as well.
     const Colour colour = read_plain_colour(node.arguments.front(), context).value_or(Colour{});
-    if (context.palette.declared() == most_colours) {
-        context.report.error(node.name_place,
-                             "a palette holds at most " + std::to_string(most_colours) + " colours");
+    if (context.palette.declared() == max_colours) {
+        context.report.error(node.name_span,
+                             "a palette holds at most " + std::to_string(max_colours) + " colours");
         return;
     }
-    if (const auto earlier = context.palette.declare(node.name, colour, node.name_place))
-        report_double("a colour", node.name, node.name_place, *earlier, context.report);
+    if (const auto earlier = context.palette.declare(node.name, colour, node.name_span))
+        report_duplicate("a colour", node.name, node.name_span, *earlier, context.report);
 }
 
 }
@@ -51,7 +51,7 @@ void read_palette(const kdl::Node& node, SceneContext& context)
             read_named_colour(colour, context);
 }
 
-std::vector<NodeWords> palette_words()
+std::vector<NodeSchema> palette_words()
 {
     constexpr std::string_view colour = "colour of palette";
     return {{palette_form.name, palette_form, {}, {}, {colour}},

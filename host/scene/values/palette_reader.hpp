@@ -2,13 +2,13 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 namespace kfast::scene {
 
 /// Declares the names inside the node in `context.palette`.
 void read_palette(const kdl::Node& node, SceneContext& context);
 
-std::vector<NodeWords> palette_words();
+std::vector<NodeSchema> palette_words();
 
 }

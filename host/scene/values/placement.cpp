@@ -16,13 +16,13 @@ Placement::Placement(const ItemValues& values)
     : origin_{value_of(values, Property::x, 0, 16), value_of(values, Property::y, 0, 16)}
 {
     const auto angle = BinaryAngle::from_raw(values.get(Property::rotation).value_or(0));
-    const Spot direction{static_cast<double>(cosine(angle)) / one_q30,
+    const Vec2 direction{static_cast<double>(cosine(angle)) / one_q30,
                          static_cast<double>(sine(angle)) / one_q30};
     x_axis_ = value_of(values, Property::scale_x, scale_one, scale_one) * direction;
-    y_axis_ = value_of(values, Property::scale_y, scale_one, scale_one) * Spot{-direction.y, direction.x};
+    y_axis_ = value_of(values, Property::scale_y, scale_one, scale_one) * Vec2{-direction.y, direction.x};
 }
 
-Spot Placement::of(Spot spot) const { return origin_ + spot.x * x_axis_ + spot.y * y_axis_; }
+Vec2 Placement::of(Vec2 spot) const { return origin_ + spot.x * x_axis_ + spot.y * y_axis_; }
 
 Outline Placement::of(const Outline& outline) const
 {

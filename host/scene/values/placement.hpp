@@ -11,13 +11,13 @@ public:
     /// Uses the place, rotation and scale of `values`.
     explicit Placement(const ItemValues& values);
 
-    Spot of(Spot spot) const;
+    Vec2 of(Vec2 spot) const;
     Outline of(const Outline& outline) const;
 
 private:
-    Spot origin_;
-    Spot x_axis_; ///< where (1, 0) goes, without the move
-    Spot y_axis_;
+    Vec2 origin_;
+    Vec2 x_axis_; ///< where (1, 0) goes, without the move
+    Vec2 y_axis_;
 };
 
 }

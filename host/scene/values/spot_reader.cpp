@@ -11,7 +11,7 @@ namespace kfast::scene {
 namespace {
 
 /// Numbers as in path data: a comma or spaces stand between them.
-std::optional<Spot> spot_in(std::string_view text)
+std::optional<Vec2> spot_in(std::string_view text)
 {
     PathScanner scanner{text};
     scanner.skip_space();
@@ -21,12 +21,12 @@ std::optional<Spot> spot_in(std::string_view text)
     scanner.skip_space();
     if (!x || !y || !scanner.at_end())
         return std::nullopt;
-    return Spot{*x, *y};
+    return Vec2{*x, *y};
 }
 
 }
 
-std::optional<std::vector<Spot>> read_spots(const kdl::Node& node, SceneContext& context)
+std::optional<std::vector<Vec2>> read_spots(const kdl::Node& node, SceneContext& context)
 {
     const auto numbers = read_numbers(node.arguments, std::array{coordinates}, context.report);
     if (!numbers)
@@ -35,19 +35,19 @@ std::optional<std::vector<Spot>> read_spots(const kdl::Node& node, SceneContext&
         context.report.error(node.arguments.back().place, "this x has no y", "add the y, or remove this x");
         return std::nullopt;
     }
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (std::size_t i = 0; i < numbers->size(); i += 2)
         spots.push_back({(*numbers)[i], (*numbers)[i + 1]});
     return spots;
 }
 
-std::optional<Spot> read_spot(const kdl::Node& node, SceneContext& context)
+std::optional<Vec2> read_spot(const kdl::Node& node, SceneContext& context)
 {
     const auto spots = read_spots(node, context);
     return spots ? std::optional{spots->front()} : std::nullopt;
 }
 
-std::optional<Spot> read_spot(const kdl::Value& value, SceneContext& context)
+std::optional<Vec2> read_spot(const kdl::Value& value, SceneContext& context)
 {
     const auto text = read_text(value, context.report);
     if (!text)

@@ -11,12 +11,12 @@
 namespace kfast::scene {
 
 /// All values of `node`, by twos; there must be at least one.
-std::optional<std::vector<Spot>> read_spots(const kdl::Node& node, SceneContext& context);
+std::optional<std::vector<Vec2>> read_spots(const kdl::Node& node, SceneContext& context);
 
 /// The two values of `node`.
-std::optional<Spot> read_spot(const kdl::Node& node, SceneContext& context);
+std::optional<Vec2> read_spot(const kdl::Node& node, SceneContext& context);
 
 /// A text with two numbers, as in at="20,200".
-std::optional<Spot> read_spot(const kdl::Value& value, SceneContext& context);
+std::optional<Vec2> read_spot(const kdl::Value& value, SceneContext& context);
 
 }

@@ -3,7 +3,7 @@
 #include "host/scene/values/font_reader.hpp"
 #include "host/scene/values/spot_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/glyph.hpp"
 
@@ -103,19 +103,19 @@ std::string other_font(char32_t character, SceneContext& context)
     const std::vector<std::string_view> fonts = context.fonts.bundled_with(character);
     if (fonts.empty())
         return "no bundled font has it: name a font file beside the scene";
-    std::string remedy = "write font=";
+    std::string hint = "write font=";
     for (const std::string_view& font : fonts)
-        remedy.append(&font == &fonts.front() ? "" : &font == &fonts.back() ? " or " : ", ").append(font);
-    return remedy;
+        hint.append(&font == &fonts.front() ? "" : &font == &fonts.back() ? " or " : ", ").append(font);
+    return hint;
 }
 
-void note_lines(const TextProperties& properties, Place place, SceneContext& context)
+void note_lines(const TextProperties& properties, SourceSpan place, SceneContext& context)
 {
     if (properties.style.font->has_lines() && !context.line_letters)
         context.line_letters = LineLetters{properties.font, place};
 }
 
-std::vector<PropertyWords> text_property_words(TextKind kind)
+std::vector<PropertySchema> text_property_words(TextKind kind)
 {
     return kind == TextKind::fixed ? words_of(fixed_rules) : words_of(label_rules);
 }

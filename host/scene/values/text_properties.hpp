@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/font/text_layout.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -36,8 +36,8 @@ std::string in_words(std::string_view character);
 std::string other_font(char32_t character, SceneContext& context);
 
 /// Remembers a text whose letters are lines: the object that draws it may have no stroke.
-void note_lines(const TextProperties& properties, Place place, SceneContext& context);
+void note_lines(const TextProperties& properties, SourceSpan place, SceneContext& context);
 
-std::vector<PropertyWords> text_property_words(TextKind kind);
+std::vector<PropertySchema> text_property_words(TextKind kind);
 
 }

@@ -14,7 +14,7 @@ namespace kfast::scene {
 /// A quantity of an item that goes by key times: what a node `track` says.
 struct TimedQuantity {
     std::string_view name;     ///< as it is written
-    Place place;               ///< of the node's name and the quantity
+    SourceSpan place;          ///< of the node's name and the quantity
     std::vector<Track> tracks; ///< one; of `scale` one for each axis. No keys where they are wrong
     std::optional<Path> path;  ///< of `along`, unless it is wrong
 };

@@ -5,8 +5,8 @@
 #include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/values/key_clock.hpp"
-#include "host/schema/node_words.hpp"
+#include "host/scene/values/key_driver.hpp"
+#include "host/schema/node_schema.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -23,14 +23,14 @@ struct TimedValue {
     Time time;
     std::int32_t value = 0; ///< in the unit of its property
     std::optional<VelocityLaw> law;
-    Place place; ///< of the node's name and both values
+    SourceSpan place; ///< of the node's name and both values
 };
 
 /// Those that stand in `track`, in the order of their times on its clock, which all differ; without those
 /// that are wrong, which are reported.
-std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyClock& clock,
+std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyDriver& driver,
                                           SceneContext& context);
 
-NodeWords at_words();
+NodeSchema at_words();
 
 }

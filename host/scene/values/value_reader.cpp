@@ -35,10 +35,10 @@ std::optional<double> ticks_per(const kdl::Value& value, SceneContext& context)
 }
 
 /// Of an unknown colour: "orangered", "linear-gradient(red, blue)", "rgb(1,2,3)".
-std::string remedy_of(std::string_view colour, const Palette& palette)
+std::string hint_of(std::string_view colour, const Palette& palette)
 {
     const std::string_view function = colour.substr(0, std::min(colour.find('('), colour.size()));
-    if (std::string absent = remedy_of_absent(function); !absent.empty())
+    if (std::string absent = hint_of_absent(function); !absent.empty())
         return absent;
     if (function != colour)
         return "write \"#rrggbb\"";
@@ -58,13 +58,13 @@ std::optional<Time> read_time(const kdl::Value& value, SceneContext& context)
     if (!scale)
         return std::nullopt;
     const double ticks = number->value * *scale;
-    if (ticks >= 0 && ticks <= Time::frame(most_frames).ticks)
+    if (ticks >= 0 && ticks <= Time::frame(max_frames).ticks)
         return Time{static_cast<std::int32_t>(std::lround(ticks))};
     if (ticks < 0)
         context.report.error(value.place, "a time cannot be negative");
     else
         context.report.error(value.place, "this time is out of range",
-                             "allowed: up to " + std::to_string(most_frames) + " frames");
+                             "allowed: up to " + std::to_string(max_frames) + " frames");
     return std::nullopt;
 }
 
@@ -87,7 +87,7 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, SceneContext& co
     const auto index = context.palette.use(*colour);
     if (!index)
         context.report.error(value.place, "too many colours",
-                             "a scene holds at most " + std::to_string(most_colours) +
+                             "a scene holds at most " + std::to_string(max_colours) +
                                  ", background included");
     return index;
 }
@@ -107,7 +107,7 @@ void report_unknown_colour(const kdl::Value& value, std::string_view text, const
         context.report.error(value.place, in_quotes(text) + " is no colour",
                              "leave the property out; a colour that is not seen is \"#0000\"");
     else
-        context.report.error(value.place, "unknown colour " + in_quotes(text), remedy_of(text, palette));
+        context.report.error(value.place, "unknown colour " + in_quotes(text), hint_of(text, palette));
 }
 
 std::optional<Loop> read_loop(const kdl::Value& value, SceneContext& context)

@@ -35,7 +35,7 @@ private:
                           (name_.empty() ? "" : " in \"" + name_ + '"') + "; make the drawing smaller");
     }
 
-    void check(scene::Spot spot) const
+    void check(scene::Vec2 spot) const
     {
         check(spot.x);
         check(spot.y);

@@ -45,7 +45,7 @@ void fold_shape(Node& node)
         !content_can_take(shape, node))
         return;
     content_takes(shape, node);
-    const scene::Spot anchor = shape.of(scene::Spot{transform.anchor_x.value(), transform.anchor_y.value()});
+    const scene::Vec2 anchor = shape.of(scene::Vec2{transform.anchor_x.value(), transform.anchor_y.value()});
     transform.anchor_x = {anchor.x};
     transform.anchor_y = {anchor.y};
     transform.scale_x = transform.scale_y = {1};
@@ -68,17 +68,17 @@ void fold_place(Node& node)
     Transform& transform = node.transform;
     if (!transform.anchor_x.is_still() || !transform.anchor_y.is_still())
         return;
-    const scene::Spot anchor{transform.anchor_x.value(), transform.anchor_y.value()};
+    const scene::Vec2 anchor{transform.anchor_x.value(), transform.anchor_y.value()};
     const bool stands = !transform.path && transform.x.is_still() && transform.y.is_still();
     const bool moves = only_moves(transform);
     if (!stands && !moves)
         return;
-    const scene::Spot place = stands ? scene::Spot{transform.x.value(), transform.y.value()} : scene::Spot{};
+    const scene::Vec2 place = stands ? scene::Vec2{transform.x.value(), transform.y.value()} : scene::Vec2{};
     const Affine move = art::moved(place.x - anchor.x, place.y - anchor.y);
     if (move == Affine{} || !content_can_take(move, node))
         return;
     content_takes(move, node);
-    const scene::Spot pivot = moves ? scene::Spot{} : place;
+    const scene::Vec2 pivot = moves ? scene::Vec2{} : place;
     transform.anchor_x = {pivot.x};
     transform.anchor_y = {pivot.y};
     if (stands) {

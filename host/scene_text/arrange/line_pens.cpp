@@ -13,16 +13,16 @@ namespace {
 using art::Affine;
 using art::Node;
 
-constexpr double least = 0.05;
+constexpr double min = 0.05;
 /// Of the times that are looked at, for each figure.
-constexpr std::size_t most_times = 64;
+constexpr std::size_t max_times = 64;
 
 void add_times(const art::Transform& transform, std::vector<double>& times)
 {
     for (const art::Channel* channel :
          {&transform.scale_x, &transform.scale_y, &transform.skew, &transform.rotate})
         for (const auto& key : channel->keys)
-            if (times.size() < most_times)
+            if (times.size() < max_times)
                 times.push_back(key.time);
 }
 
@@ -51,7 +51,7 @@ private:
             add_times(node->transform, times);
         std::ranges::sort(times);
         const auto bent =
-            std::ranges::find_if(times, [this](double time) { return distortion_of(shape(time)) > least; });
+            std::ranges::find_if(times, [this](double time) { return distortion_of(shape(time)) > min; });
         if (bent == times.end())
             return;
         const bool is_later = *bent > times.front();

@@ -24,13 +24,13 @@ constexpr double coarse_scale = 2;
 
 double largest(const Channel& channel)
 {
-    double most = 0;
+    double max = 0;
     for (const auto& key : channel.keys)
-        most = std::max(most, std::abs(key.value));
-    return most;
+        max = std::max(max, std::abs(key.value));
+    return max;
 }
 
-double reach_of(scene::Spot spot) { return std::max(std::abs(spot.x), std::abs(spot.y)); }
+double reach_of(scene::Vec2 spot) { return std::max(std::abs(spot.x), std::abs(spot.y)); }
 
 double reach_of(const art::Drawing& drawing)
 {

@@ -16,7 +16,7 @@ using art::Channel;
 
 /// Pieces of a way that no law can say, for each frame.
 constexpr double pieces_per_frame = 2;
-constexpr double most_pieces = 64;
+constexpr double max_pieces = 64;
 
 enum Quantity : std::size_t { turn, x, y, length, quantity_count };
 using Quantities = std::array<Channel, quantity_count>;
@@ -83,7 +83,7 @@ private:
         const auto place_law = common_law(law_of_quantity(x), law_of_quantity(y), is_one);
         if (is_one)
             return add(from, law, place_law);
-        const double pieces = std::clamp(std::ceil((to - from) * pieces_per_frame), 2.0, most_pieces);
+        const double pieces = std::clamp(std::ceil((to - from) * pieces_per_frame), 2.0, max_pieces);
         for (double piece = 0; piece < pieces; ++piece)
             add(art::mixed(from, to, piece / pieces), "constant", "constant");
     }
@@ -100,7 +100,7 @@ private:
 
 bool is_zero(const Channel& channel) { return channel.is_still() && channel.value() == 0; }
 
-scene::Spot stored(scene::Spot spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
+scene::Vec2 stored(scene::Vec2 spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
 
 }
 

@@ -118,14 +118,14 @@ void check_limits(const art::Document& document, const std::set<std::size_t>& ri
     std::size_t bones = 0;
     for (const std::size_t rig : rigs) {
         bones += document.rigs[rig].bones.size();
-        if (document.rigs[rig].bones.size() > scene::most_bones)
-            throw Failure("a skeleton has more than " + std::to_string(scene::most_bones) +
+        if (document.rigs[rig].bones.size() > scene::max_bones)
+            throw Failure("a skeleton has more than " + std::to_string(scene::max_bones) +
                           " bones, the most in a scene; join some of them");
     }
-    if (bones > scene::most_bones_together || rigs.size() > scene::most_skeletons)
+    if (bones > scene::max_bones_together || rigs.size() > scene::max_skeletons)
         throw Failure(
-            "there are more skeletons or bones than a scene holds: " + std::to_string(scene::most_skeletons) +
-            " and " + std::to_string(scene::most_bones_together) + " together; leave out some of them");
+            "there are more skeletons or bones than a scene holds: " + std::to_string(scene::max_skeletons) +
+            " and " + std::to_string(scene::max_bones_together) + " together; leave out some of them");
 }
 
 }

@@ -15,8 +15,8 @@ void check_points(const art::Drawing& drawing)
     std::size_t points = 0;
     for (const scene::Outline& outline : drawing.outlines)
         points += outline.curves.size() + 2;
-    if (points > scene::most_points)
-        throw Failure("a drawing has more than " + std::to_string(scene::most_points) +
+    if (points > scene::max_points)
+        throw Failure("a drawing has more than " + std::to_string(scene::max_points) +
                       " points, the most in a scene; divide it into several, or simplify it");
 }
 

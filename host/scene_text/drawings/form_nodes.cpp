@@ -17,18 +17,18 @@ namespace {
 using art::ShapeForm;
 
 /// Of the numbers of shapes: more than these never are needed.
-constexpr int most_decimals = 5;
+constexpr int max_decimals = 5;
 
 /// A number that has few decimals already.
 kdl::Value plain(double value)
 {
     std::array<char, 40> digits;
-    for (int decimals = 0; decimals <= most_decimals; ++decimals) {
+    for (int decimals = 0; decimals <= max_decimals; ++decimals) {
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                        std::chars_format::fixed, decimals);
         double read = 0;
         std::from_chars(digits.data(), end.ptr, read);
-        if (std::abs(read - value) > 1e-9 && decimals < most_decimals)
+        if (std::abs(read - value) > 1e-9 && decimals < max_decimals)
             continue;
         kdl::Value number;
         number.data = kdl::Number{read == 0 ? "0" : std::string{digits.data(), end.ptr}, read};
@@ -39,10 +39,10 @@ kdl::Value plain(double value)
 
 kdl::Value coordinate(double value) { return number(on_grid(value, coordinates), coordinates); }
 
-kdl::Node with_spots(std::string_view name, const std::vector<scene::Spot>& spots)
+kdl::Node with_spots(std::string_view name, const std::vector<scene::Vec2>& spots)
 {
     kdl::Node node = named_node(name);
-    for (const scene::Spot spot : spots) {
+    for (const scene::Vec2 spot : spots) {
         node.arguments.push_back(coordinate(spot.x));
         node.arguments.push_back(coordinate(spot.y));
     }
@@ -83,11 +83,11 @@ struct FormNode {
 
 bool is_long(const art::ShapeForm& form)
 {
-    constexpr std::size_t most_spots = 12;
+    constexpr std::size_t max_spots = 12;
     if (const auto* const polygon = std::get_if<art::PolygonForm>(&form))
-        return polygon->spots.size() > most_spots;
+        return polygon->spots.size() > max_spots;
     const auto* const line = std::get_if<art::LineForm>(&form);
-    return line != nullptr && line->spots.size() > most_spots;
+    return line != nullptr && line->spots.size() > max_spots;
 }
 
 /// Lists of many places are easier to read in the lines of a path.

@@ -9,11 +9,11 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr std::size_t widest_data = 96;
 
-Spot snapped(Spot spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
+Vec2 snapped(Vec2 spot) { return {snapped(spot.x, coordinates), snapped(spot.y, coordinates)}; }
 
 Outline snapped(const Outline& outline)
 {
@@ -26,16 +26,16 @@ Outline snapped(const Outline& outline)
     return result;
 }
 
-bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+bool equal(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
 class PathData {
 public:
     void add(char command) { append(std::string{command}); }
 
-    void add(char command, std::initializer_list<Spot> spots)
+    void add(char command, std::initializer_list<Vec2> spots)
     {
         std::string words{command};
-        for (const Spot spot : spots)
+        for (const Vec2 spot : spots)
             for (const double coordinate : {spot.x, spot.y})
                 words += ' ' + decimal(on_grid(coordinate, coordinates), coordinates);
         append(words);

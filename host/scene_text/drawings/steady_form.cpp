@@ -13,19 +13,19 @@ namespace {
 using art::Drawing;
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double step = 1.0 / 16;
 
-bool equal(Spot left, Spot right) { return left.x == right.x && left.y == right.y; }
+bool equal(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
-bool has_extent(Spot from, const Curve& curve)
+bool has_extent(Vec2 from, const Curve& curve)
 {
     return !equal(curve.to, from) || (curve.cubic && (!equal(curve.c1, from) || !equal(curve.c2, from)));
 }
 
 /// Where a curve goes from `from` at first, if it has an extent.
-Spot heading(Spot from, const Curve& curve)
+Vec2 heading(Vec2 from, const Curve& curve)
 {
     if (curve.cubic && !equal(curve.c1, from))
         return curve.c1;
@@ -33,7 +33,7 @@ Spot heading(Spot from, const Curve& curve)
 }
 
 /// Where it comes from at last.
-Spot origin(Spot from, const Curve& curve)
+Vec2 origin(Vec2 from, const Curve& curve)
 {
     if (curve.cubic && !equal(curve.c2, curve.to))
         return curve.c2;
@@ -41,9 +41,9 @@ Spot origin(Spot from, const Curve& curve)
 }
 
 /// So many steps towards `goal`, different for different counts.
-Spot stepped(Spot from, Spot goal, std::size_t steps)
+Vec2 stepped(Vec2 from, Vec2 goal, std::size_t steps)
 {
-    const Spot way = goal - from;
+    const Vec2 way = goal - from;
     const double longest = std::max(std::abs(way.x), std::abs(way.y));
     const double share = longest > 0 ? static_cast<double>(steps) * step / longest : 0;
     return {snapped(from.x + share * way.x, coordinates), snapped(from.y + share * way.y, coordinates)};
@@ -62,12 +62,12 @@ public:
     }
 
 private:
-    Spot start_of(std::size_t i) const { return i == 0 ? outline_.from : curves_[i - 1].to; }
+    Vec2 start_of(std::size_t i) const { return i == 0 ? outline_.from : curves_[i - 1].to; }
 
     /// From the first without extent; returns the last.
     std::size_t keep_run(std::size_t first)
     {
-        const Spot place = start_of(first);
+        const Vec2 place = start_of(first);
         std::size_t last = first;
         while (last + 1 < curves_.size() && !has_extent(place, curves_[last + 1]))
             ++last;
@@ -83,9 +83,9 @@ private:
         return last;
     }
 
-    void spread_forward(std::size_t first, std::size_t last, Spot goal)
+    void spread_forward(std::size_t first, std::size_t last, Vec2 goal)
     {
-        const Spot place = start_of(first);
+        const Vec2 place = start_of(first);
         for (std::size_t i = first; i <= last; ++i)
             curves_[i].to = stepped(place, goal, i - first + 1);
         if (!has_extent(curves_[last].to, curves_[last + 1])) // that was too short
@@ -93,9 +93,9 @@ private:
     }
 
     /// The end stays, for the outline may be closed there.
-    void spread_back(std::size_t first, std::size_t count, Spot goal)
+    void spread_back(std::size_t first, std::size_t count, Vec2 goal)
     {
-        const Spot place = curves_.back().to;
+        const Vec2 place = curves_.back().to;
         for (std::size_t i = 0; i < count; ++i)
             curves_[first - 1 + i].to = stepped(place, goal, count - i);
         if (!has_extent(start_of(first - 1), curves_[first - 1]))
@@ -103,10 +103,10 @@ private:
     }
 
     /// The whole outline lies in one place.
-    void spread_alone(Spot place)
+    void spread_alone(Vec2 place)
     {
-        const Spot beside{snapped(place.x + (place.x < 0 ? step : -step), coordinates), place.y};
-        const Spot below{place.x, snapped(place.y + (place.y < 0 ? step : -step), coordinates)};
+        const Vec2 beside{snapped(place.x + (place.x < 0 ? step : -step), coordinates), place.y};
+        const Vec2 below{place.x, snapped(place.y + (place.y < 0 ? step : -step), coordinates)};
         for (std::size_t i = 0; i + 1 < curves_.size(); ++i)
             curves_[i].to = i % 2 == 0 ? beside : place;
         if (curves_.size() > 1 && curves_.size() % 2 == 1)

@@ -47,8 +47,8 @@ private:
     {
         if (to <= from)
             return;
-        if (clips_.size() == scene::most_clips) {
-            losses_.add({"more than " + std::to_string(scene::most_clips) + " markers that last",
+        if (clips_.size() == scene::max_clips) {
+            losses_.add({"more than " + std::to_string(scene::max_clips) + " markers that last",
                          "",
                          {},
                          "the first of them are clips, the others only events"});

@@ -51,9 +51,9 @@ std::string Colours::word(Colour colour, std::string_view user)
     if (known != entries_.end())
         return known->name;
     // The background, if there is none, is black, and a colour in use.
-    if (entries_.size() + 1 >= scene::most_colours) {
+    if (entries_.size() + 1 >= scene::max_colours) {
         losses_.add(
-            {"more than " + std::to_string(scene::most_colours) + " colours", "", {}, "the nearest of them"});
+            {"more than " + std::to_string(scene::max_colours) + " colours", "", {}, "the nearest of them"});
         return nearest(colour).name;
     }
     const bool is_black = colour == Colour{0, 0, 0, 255};

@@ -8,7 +8,7 @@
 namespace kfast::scene_text {
 namespace {
 
-constexpr int most_decimals = 9;
+constexpr int max_decimals = 9;
 
 /// As the compiler rounds what it reads.
 std::int32_t rounded(double value, const Grid& grid)
@@ -45,13 +45,13 @@ double snapped(double value, const Grid& grid) { return off_grid(on_grid(value, 
 std::string decimal(std::int32_t stored, const Grid& grid)
 {
     const double value = off_grid(stored, grid);
-    for (int decimals = 0; decimals < most_decimals; ++decimals) {
+    for (int decimals = 0; decimals < max_decimals; ++decimals) {
         std::string text = fixed(value, decimals);
         const double read = value_of(text);
         if (rounded(read, grid) == stored && read >= grid.low && read <= grid.high)
             return stored == 0 ? "0" : text;
     }
-    return fixed(value, most_decimals);
+    return fixed(value, max_decimals);
 }
 
 kdl::Value number(std::int32_t stored, const Grid& grid)

@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view name)
 
 }
 
-std::string clean_name(std::string_view name, std::string_view usual)
+std::string clean_name(std::string_view name, std::string_view default_value)
 {
     std::string clean;
     for (std::size_t at = 0; at < name.size();) {
@@ -48,12 +48,12 @@ std::string clean_name(std::string_view name, std::string_view usual)
         at += point.length;
     }
     const std::string_view kept = trimmed(cut(trimmed(clean), longest));
-    return std::string{kept.empty() ? usual : kept};
+    return std::string{kept.empty() ? default_value : kept};
 }
 
-std::string Names::unique(std::string_view name, std::string_view usual)
+std::string Names::unique(std::string_view name, std::string_view default_value)
 {
-    std::string clean = clean_name(name, usual);
+    std::string clean = clean_name(name, default_value);
     if (taken_.insert(clean).second)
         return clean;
     std::size_t& count = counts_.try_emplace(clean, 1).first->second;

@@ -20,8 +20,8 @@ struct Reach {
 /// How far a bone may begin from where it is set up, for scenes to hold its way from its parent.
 inline double room_of(const art::Rig& rig, const art::Bone& bone)
 {
-    const scene::Spot around = bone.parent ? rig.bones[*bone.parent].from : scene::Spot{};
-    const scene::Spot offset = bone.from - around;
+    const scene::Vec2 around = bone.parent ? rig.bones[*bone.parent].from : scene::Vec2{};
+    const scene::Vec2 offset = bone.from - around;
     return std::max(2047 - std::max(std::abs(offset.x), std::abs(offset.y)), 0.0);
 }
 

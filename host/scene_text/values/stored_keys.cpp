@@ -28,8 +28,8 @@ std::vector<art::EasePart> law_parts(const art::Ease& ease)
 
 void check_count(std::size_t keys)
 {
-    if (keys > scene::most_keys)
-        throw Failure("something has more than " + std::to_string(scene::most_keys) +
+    if (keys > scene::max_keys)
+        throw Failure("something has more than " + std::to_string(scene::max_keys) +
                       " keys, the most in a scene; leave out some, or allow a larger --tolerance");
 }
 

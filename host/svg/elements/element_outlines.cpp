@@ -18,7 +18,7 @@ namespace kfast::svg {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 using Outlines = std::vector<Outline>;
 
 struct Shape {
@@ -53,12 +53,12 @@ Outline rounded(double x, double y, double width, double height, double rx, doub
     const double right = x + width;
     const double bottom = y + height;
     Outline outline{{x + rx, y}, {}, true};
-    const auto side = [&](Spot to) {
-        const Spot last = outline.curves.empty() ? outline.from : outline.curves.back().to;
+    const auto side = [&](Vec2 to) {
+        const Vec2 last = outline.curves.empty() ? outline.from : outline.curves.back().to;
         if (scene::distance(last, to) > 0)
             outline.curves.push_back(scene::line_to(to));
     };
-    const auto corner = [&](Spot to) {
+    const auto corner = [&](Vec2 to) {
         const scene::Arc arc{
             outline.curves.empty() ? outline.from : outline.curves.back().to, to, rx, ry, 0, false, true};
         for (const scene::Curve& curve : scene::curves_of(arc))
@@ -116,8 +116,8 @@ Outlines ellipse(const Shape& shape)
 
 Outlines line(const Shape& shape)
 {
-    const std::array spots{Spot{shape.coordinate("x1", Axis::x), shape.coordinate("y1", Axis::y)},
-                           Spot{shape.coordinate("x2", Axis::x), shape.coordinate("y2", Axis::y)}};
+    const std::array spots{Vec2{shape.coordinate("x1", Axis::x), shape.coordinate("y1", Axis::y)},
+                           Vec2{shape.coordinate("x2", Axis::x), shape.coordinate("y2", Axis::y)}};
     return {scene::polyline(spots, false)};
 }
 
@@ -128,7 +128,7 @@ Outlines through_points(const Shape& shape, bool closed)
     const auto values = numbers(text, rest);
     if (!rest.empty() || values.size() % 2 != 0)
         shape.losses.add({"points: " + shortened(text), shape.layer, {}, "those up to the mistake"});
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (std::size_t i = 0; i + 1 < values.size(); i += 2)
         spots.push_back(
             {std::clamp(values[i], -farthest, farthest), std::clamp(values[i + 1], -farthest, farthest)});
@@ -148,7 +148,7 @@ Outlines path(const Shape& shape)
     if (data.starts_with("path(") && data.size() > 8) // as CSS writes it, in quotes
         data = data.substr(6, data.size() - 8);
     Diagnostics findings;
-    Outlines outlines = scene::read_svg_path(data, scene::most_points, findings, farthest);
+    Outlines outlines = scene::read_svg_path(data, scene::max_points, findings, farthest);
     for (const Diagnostic& finding : findings.sorted())
         if (finding.severity == Severity::error)
             shape.losses.add({"path data: " + finding.message + ", at character " +

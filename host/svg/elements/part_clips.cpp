@@ -12,7 +12,7 @@
 namespace kfast::svg {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 /// False where nothing of the part is left.
 bool PartReader::apply_clip(const char* property, const char* instead, Part& part, const Around& inside)
@@ -65,8 +65,8 @@ std::optional<art::Drawing> PartReader::clip_area(pugi::xml_node clip, const Par
     Affine affine = about_origin(*own, style, inside.measure);
     const char* units = clip.attribute(is_mask ? "maskContentUnits" : "clipPathUnits").value();
     if (units == std::string_view{"objectBoundingBox"})
-        affine = affine * art::moved(box->least.x, box->least.y) *
-                 art::grown(box->most.x - box->least.x, box->most.y - box->least.y);
+        affine = affine * art::moved(box->min.x, box->min.y) *
+                 art::grown(box->max.x - box->min.x, box->max.y - box->min.y);
 
     const auto shape = only_shape(clip, style, inside);
     if (!shape)
@@ -107,16 +107,16 @@ bool PartReader::region_covers(pugi::xml_node mask, const Part& part, const Arou
     const auto seen = box_with_lines(part, inside.place);
     const bool is_of_box = mask.attribute("maskUnits").value() != std::string_view{"userSpaceOnUse"};
     const Measure whole = is_of_box ? Measure{1, 1} : inside.measure;
-    const auto side = [&](const char* name, const char* usual, Axis axis) {
+    const auto side = [&](const char* name, const char* default_value, Axis axis) {
         const auto attribute = mask.attribute(name);
-        return length(attribute ? attribute.value() : usual, axis, whole).value_or(0);
+        return length(attribute ? attribute.value() : default_value, axis, whole).value_or(0);
     };
     Box region{{side("x", "-10%", Axis::x), side("y", "-10%", Axis::y)}, {}};
-    region.most = region.least + Spot{side("width", "120%", Axis::x), side("height", "120%", Axis::y)};
+    region.max = region.min + Vec2{side("width", "120%", Axis::x), side("height", "120%", Axis::y)};
     if (is_of_box) {
-        const Spot size = box->most - box->least;
-        const auto in_box = [&](Spot spot) { return box->least + Spot{spot.x * size.x, spot.y * size.y}; };
-        region = {in_box(region.least), in_box(region.most)};
+        const Vec2 size = box->max - box->min;
+        const auto in_box = [&](Vec2 spot) { return box->min + Vec2{spot.x * size.x, spot.y * size.y}; };
+        region = {in_box(region.min), in_box(region.max)};
     }
     return covers(outline_of(region), corners_of(*seen));
 }

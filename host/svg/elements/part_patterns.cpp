@@ -75,7 +75,7 @@ double PartReader::tile_area(pugi::xml_node pattern, const Part& part, const Aro
     const auto box = box_of(part, {});
     if (!box || value("patternContentUnits") == std::string_view{"objectBoundingBox"})
         return part_of_box;
-    return part_of_box * (box->most.x - box->least.x) * (box->most.y - box->least.y);
+    return part_of_box * (box->max.x - box->min.x) * (box->max.y - box->min.y);
 }
 
 }

@@ -20,7 +20,7 @@ namespace kfast::svg {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 /// Lines alone have no inside.
 bool has_inside(const art::Drawing& drawing)
@@ -224,9 +224,9 @@ bool PartReader::is_inside_of_itself(pugi::xml_node element, const std::string& 
 /// What elements inherit is copied for each of them, and once more wherever they are used.
 void PartReader::take_style(const Style& style)
 {
-    constexpr std::size_t most = std::size_t{1} << 29; // some seconds
+    constexpr std::size_t max = std::size_t{1} << 29; // some seconds
     style_bytes_ += style.bytes();
-    if (style_bytes_ > most)
+    if (style_bytes_ > max)
         throw Failure(
             "styles and path data, counted wherever they are inherited or used, take more than 512 MB");
 }
@@ -302,7 +302,7 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
     if (!(width > 0) || !(height > 0))
         return;
     const auto box = view_box(element.attribute("viewBox").value());
-    const Spot corner{length(style["x"], Axis::x, outer).value_or(0),
+    const Vec2 corner{length(style["x"], Axis::x, outer).value_or(0),
                       length(style["y"], Axis::y, outer).value_or(0)};
     const Affine outside = inside.to_canvas;
     const Affine place =
@@ -316,7 +316,7 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
     read_children(element, part, inside);
     inside.to_canvas = outside;
     if (style["overflow"] != "visible" && style["overflow"] != "auto")
-        clip_to_box(part, inside, {corner, corner + Spot{width, height}});
+        clip_to_box(part, inside, {corner, corner + Vec2{width, height}});
 }
 
 void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)

@@ -31,7 +31,7 @@ double length_of(const art::Drawing& drawing)
 {
     double sum = 0;
     for (const scene::Outline& outline : drawing.outlines) {
-        const scene::Spot end = outline.curves.empty() ? outline.from : outline.curves.back().to;
+        const scene::Vec2 end = outline.curves.empty() ? outline.from : outline.curves.back().to;
         sum += art::outline_length(outline) + (outline.closed ? scene::distance(end, outline.from) : 0);
     }
     return sum;

@@ -9,7 +9,7 @@
 namespace kfast::svg {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 std::vector<std::string_view> words(std::string_view text)
 {
@@ -38,7 +38,7 @@ double along(std::string_view word, Axis axis, const Measure& measure)
     return length(word, axis, measure).value_or(0);
 }
 
-std::optional<Spot> origin(std::string_view text, const Measure& measure)
+std::optional<Vec2> origin(std::string_view text, const Measure& measure)
 {
     auto parts = words(text);
     if (parts.empty())
@@ -47,10 +47,10 @@ std::optional<Spot> origin(std::string_view text, const Measure& measure)
         parts.push_back("center");
     if (parts[0] == "top" || parts[0] == "bottom" || parts[1] == "left" || parts[1] == "right")
         std::swap(parts[0], parts[1]);
-    return Spot{along(parts[0], Axis::x, measure), along(parts[1], Axis::y, measure)};
+    return Vec2{along(parts[0], Axis::x, measure), along(parts[1], Axis::y, measure)};
 }
 
-art::Affine about(const art::Affine& affine, Spot origin)
+art::Affine about(const art::Affine& affine, Vec2 origin)
 {
     return art::moved(origin.x, origin.y) * affine * art::moved(-origin.x, -origin.y);
 }
@@ -73,9 +73,9 @@ art::Affine about_own_box(const Part& part, const Style& style)
     const auto box = box_of(part, {});
     if (!box)
         return part.own;
-    const Spot size = box->most - box->least;
-    const Spot inside = origin(style["transform-origin"], {size.x, size.y}).value_or(Spot{});
-    return about(part.own, box->least + inside);
+    const Vec2 size = box->max - box->min;
+    const Vec2 inside = origin(style["transform-origin"], {size.x, size.y}).value_or(Vec2{});
+    return about(part.own, box->min + inside);
 }
 
 double font_size(const Style& style, const Measure& outside)

@@ -10,6 +10,6 @@ namespace kfast::svg {
 inline constexpr std::size_t longest_name = 255;
 
 /// A text as it is, or its beginning of at most `most` bytes with "..." behind it; never half of a character.
-std::string shortened(std::string_view text, std::size_t most = 40);
+std::string shortened(std::string_view text, std::size_t max = 40);
 
 }

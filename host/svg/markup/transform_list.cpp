@@ -29,12 +29,12 @@ Affine rotate(const Values& v)
 
 struct Kind {
     std::string_view name;
-    std::size_t least; ///< values; or `most`, but for "rotate" nothing between
-    std::size_t most;
+    std::size_t min; ///< values; or `most`, but for "rotate" nothing between
+    std::size_t max;
     Affine (*matrix)(const Values&);
 };
 
-double second(const Values& v, double usual) { return v.size() > 1 ? v[1] : usual; }
+double second(const Values& v, double default_value) { return v.size() > 1 ? v[1] : default_value; }
 
 constexpr std::array<Kind, 11> kinds{{
     {"matrix", 6, 6, [](const Values& v) { return Affine{v[0], v[1], v[2], v[3], v[4], v[5]}; }},
@@ -97,7 +97,7 @@ std::optional<Affine> one(std::string_view name, std::string_view arguments)
 {
     const auto kind = std::ranges::find(kinds, name, &Kind::name);
     const auto read = values(arguments);
-    if (kind == kinds.end() || !read || read->size() < kind->least || read->size() > kind->most)
+    if (kind == kinds.end() || !read || read->size() < kind->min || read->size() > kind->max)
         return std::nullopt;
     if (name == "rotate" && read->size() == 2)
         return std::nullopt;

@@ -8,9 +8,9 @@ namespace kfast::svg {
 namespace {
 
 /// Where along an axis the box lies that is smaller than its place: "xMinYMid", beside "xMin" and "xMid".
-double share_before(std::string_view alignment, std::string_view least, std::string_view middle)
+double share_before(std::string_view alignment, std::string_view min, std::string_view middle)
 {
-    if (alignment.find(least) != alignment.npos)
+    if (alignment.find(min) != alignment.npos)
         return 0;
     return alignment.find(middle) != alignment.npos ? 0.5 : 1;
 }

@@ -12,24 +12,24 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 /// One edge of an area, from its inside.
 struct Edge {
-    Spot on;
-    Spot inwards;
+    Vec2 on;
+    Vec2 inwards;
 
     /// Positive inside.
-    double depth(Spot spot) const { return scene::dot(spot - on, inwards); }
+    double depth(Vec2 spot) const { return scene::dot(spot - on, inwards); }
 };
 
 struct Segment {
     art::CubicPiece piece; ///< of lines, only the ends count
     bool cubic = false;
 
-    Spot from() const { return piece.points[0]; }
-    Spot to() const { return piece.points[3]; }
-    Spot at(double t) const { return cubic ? piece.at(t) : from() + t * (to() - from()); }
+    Vec2 from() const { return piece.points[0]; }
+    Vec2 to() const { return piece.points[3]; }
+    Vec2 at(double t) const { return cubic ? piece.at(t) : from() + t * (to() - from()); }
 
     Segment between(double begin, double end) const
     {
@@ -47,7 +47,7 @@ struct Segment {
 std::vector<Segment> segments_of(const Outline& outline)
 {
     std::vector<Segment> segments;
-    Spot from = outline.from;
+    Vec2 from = outline.from;
     for (const Curve& curve : outline.curves) {
         segments.push_back({{{from, curve.c1, curve.c2, curve.to}}, curve.cubic});
         from = curve.to;
@@ -103,7 +103,7 @@ public:
     std::optional<Outline> taken() { return std::move(outline_); }
 
 private:
-    Spot last() const { return outline_->curves.back().to; }
+    Vec2 last() const { return outline_->curves.back().to; }
 
     std::optional<Outline> outline_;
 };
@@ -123,18 +123,18 @@ std::optional<Outline> cut(const Outline& outline, const Edge& edge)
     return inside.taken();
 }
 
-std::vector<Edge> edges_of(std::span<const Spot> area)
+std::vector<Edge> edges_of(std::span<const Vec2> area)
 {
-    Spot middle;
-    for (const Spot corner : area)
+    Vec2 middle;
+    for (const Vec2 corner : area)
         middle = middle + (1 / static_cast<double>(area.size())) * corner;
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < area.size(); ++i) {
-        const Spot along = area[(i + 1) % area.size()] - area[i];
+        const Vec2 along = area[(i + 1) % area.size()] - area[i];
         const double length = scene::distance({}, along);
         if (length <= 0)
             continue;
-        const Spot normal = (1 / length) * Spot{-along.y, along.x};
+        const Vec2 normal = (1 / length) * Vec2{-along.y, along.x};
         edges.push_back({area[i], scene::dot(middle - area[i], normal) < 0 ? -1 * normal : normal});
     }
     return edges;
@@ -142,7 +142,7 @@ std::vector<Edge> edges_of(std::span<const Spot> area)
 
 }
 
-art::Drawing cut(const art::Drawing& drawing, std::span<const Spot> area)
+art::Drawing cut(const art::Drawing& drawing, std::span<const Vec2> area)
 {
     art::Drawing result;
     const auto edges = edges_of(area);

@@ -11,7 +11,7 @@ namespace kfast::svg {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 bool has_curves(const art::Drawing& drawing)
 {

@@ -9,18 +9,18 @@ namespace kfast::svg {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 /// Twice of it, by its direction; curves as 8 lines.
 double signed_area(const scene::Outline& outline)
 {
     constexpr int steps = 8;
     double sum = 0;
-    Spot last = outline.from;
-    Spot from = outline.from;
+    Vec2 last = outline.from;
+    Vec2 from = outline.from;
     for (const scene::Curve& curve : outline.curves) {
         for (int step = 1; step <= steps; ++step) {
-            const Spot next = art::spot_on(from, curve, static_cast<double>(step) / steps);
+            const Vec2 next = art::spot_on(from, curve, static_cast<double>(step) / steps);
             sum += scene::cross(last - outline.from, next - outline.from);
             last = next;
         }

@@ -8,13 +8,13 @@ namespace kfast::svg {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double nearly_nothing = 1e-7;
 
-std::vector<Spot> spots_of(const art::Drawing& drawing)
+std::vector<Vec2> spots_of(const art::Drawing& drawing)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (const scene::Outline& outline : drawing.outlines) {
         spots.push_back(outline.from);
         for (const scene::Curve& curve : outline.curves) {
@@ -26,34 +26,34 @@ std::vector<Spot> spots_of(const art::Drawing& drawing)
     return spots;
 }
 
-Spot mean(const std::vector<Spot>& spots)
+Vec2 mean(const std::vector<Vec2>& spots)
 {
-    Spot sum;
-    for (const Spot spot : spots)
+    Vec2 sum;
+    for (const Vec2 spot : spots)
         sum = sum + spot;
     return (1 / static_cast<double>(spots.size())) * sum;
 }
 
 /// The least squares of the point that all affines leave where it is: (A - I) p + t = 0 for each of them.
-std::optional<Spot> fixed_point(std::span<const Affine> affines)
+std::optional<Vec2> fixed_point(std::span<const Affine> affines)
 {
     double xx = 0;
     double xy = 0;
     double yy = 0;
-    Spot right;
+    Vec2 right;
     for (const Affine& m : affines) {
-        const Spot first{m.a - 1, m.b};
-        const Spot second{m.c, m.d - 1};
-        const Spot moved{m.e, m.f};
+        const Vec2 first{m.a - 1, m.b};
+        const Vec2 second{m.c, m.d - 1};
+        const Vec2 moved{m.e, m.f};
         xx += scene::dot(first, first);
         xy += scene::dot(first, second);
         yy += scene::dot(second, second);
-        right = right - Spot{scene::dot(first, moved), scene::dot(second, moved)};
+        right = right - Vec2{scene::dot(first, moved), scene::dot(second, moved)};
     }
     const double determinant = xx * yy - xy * xy;
     if (!(determinant > nearly_nothing * nearly_nothing))
         return std::nullopt;
-    return Spot{(right.x * yy - right.y * xy) / determinant, (right.y * xx - right.x * xy) / determinant};
+    return Vec2{(right.x * yy - right.y * xy) / determinant, (right.y * xx - right.x * xy) / determinant};
 }
 
 }
@@ -70,12 +70,12 @@ std::optional<Move> move_of(const Affine& m)
         scale_x, m.determinant() / scale_x, std::atan2(m.b, m.a) * 180 / std::numbers::pi, {m.e, m.f}};
 }
 
-Spot pivot_of(std::span<const Affine> affines, const Box& box)
+Vec2 pivot_of(std::span<const Affine> affines, const Box& box)
 {
     const auto fixed = fixed_point(affines);
-    const Spot margin = 0.5 * (box.most - box.least);
-    const bool near = fixed && fixed->x >= box.least.x - margin.x && fixed->x <= box.most.x + margin.x &&
-                      fixed->y >= box.least.y - margin.y && fixed->y <= box.most.y + margin.y;
+    const Vec2 margin = 0.5 * (box.max - box.min);
+    const bool near = fixed && fixed->x >= box.min.x - margin.x && fixed->x <= box.max.x + margin.x &&
+                      fixed->y >= box.min.y - margin.y && fixed->y <= box.max.y + margin.y;
     return near ? *fixed : box.centre();
 }
 
@@ -88,17 +88,17 @@ std::optional<Affine> similarity(const art::Drawing& from, const art::Drawing& t
     const auto after = spots_of(to);
     if (before.empty() || before.size() != after.size())
         return std::nullopt;
-    const Spot middle = mean(before);
-    const Spot new_middle = mean(after);
+    const Vec2 middle = mean(before);
+    const Vec2 new_middle = mean(after);
     double extent = 0;
-    Spot turn;
+    Vec2 turn;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const Spot one = before[i] - middle;
-        const Spot other = after[i] - new_middle;
+        const Vec2 one = before[i] - middle;
+        const Vec2 other = after[i] - new_middle;
         extent += scene::dot(one, one);
-        turn = turn + Spot{scene::dot(one, other), scene::cross(one, other)};
+        turn = turn + Vec2{scene::dot(one, other), scene::cross(one, other)};
     }
-    turn = extent > 0 ? (1 / extent) * turn : Spot{1, 0};
+    turn = extent > 0 ? (1 / extent) * turn : Vec2{1, 0};
     const Affine result = art::moved(new_middle.x, new_middle.y) *
                           Affine{turn.x, turn.y, -turn.y, turn.x, 0, 0} * art::moved(-middle.x, -middle.y);
     for (std::size_t i = 0; i < before.size(); ++i)

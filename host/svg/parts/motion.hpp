@@ -15,7 +15,7 @@ struct Move {
     double scale_x = 1;
     double scale_y = 1;
     double rotate = 0; ///< degrees
-    scene::Spot to;    ///< where (0, 0) goes
+    scene::Vec2 to;    ///< where (0, 0) goes
 };
 
 /// Nothing where it leans, or flattens all to a line.
@@ -23,7 +23,7 @@ std::optional<Move> move_of(const art::Affine& affine);
 
 /// What something that lies in `box` at first turns and grows about, as it moves by `affines`: the point that
 /// stays where it is, if there is one not far from the box, else the middle of the box.
-scene::Spot pivot_of(std::span<const art::Affine> affines, const Box& box);
+scene::Vec2 pivot_of(std::span<const art::Affine> affines, const Box& box);
 
 /// Turning, growing evenly and moving that takes one drawing to another, to within `tolerance`. Nothing where
 /// none does, or they have not the same form.

@@ -10,20 +10,20 @@
 namespace kfast::svg {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 class GrowingBox {
 public:
     explicit GrowingBox(bool with_lines) : with_lines_{with_lines} {}
 
-    void add(Spot spot, double margin)
+    void add(Vec2 spot, double margin)
     {
-        const Spot least{spot.x - margin, spot.y - margin};
-        const Spot most{spot.x + margin, spot.y + margin};
+        const Vec2 min{spot.x - margin, spot.y - margin};
+        const Vec2 max{spot.x + margin, spot.y + margin};
         if (!box_)
-            box_ = Box{least, most};
-        box_->least = {std::min(box_->least.x, least.x), std::min(box_->least.y, least.y)};
-        box_->most = {std::max(box_->most.x, most.x), std::max(box_->most.y, most.y)};
+            box_ = Box{min, max};
+        box_->min = {std::min(box_->min.x, min.x), std::min(box_->min.y, min.y)};
+        box_->max = {std::max(box_->max.x, max.x), std::max(box_->max.y, max.y)};
     }
 
     /// Cubics by some of their points: they reach at most a hundredth of their size beyond these.
@@ -31,7 +31,7 @@ public:
     {
         constexpr int steps = 16;
         add(outline.from, margin);
-        Spot from = outline.from;
+        Vec2 from = outline.from;
         for (const scene::Curve& curve : outline.curves) {
             for (int step = curve.cubic ? 1 : steps; step <= steps; ++step)
                 add(art::spot_on(from, curve, static_cast<double>(step) / steps), margin);
@@ -58,9 +58,9 @@ private:
 
 }
 
-std::array<Spot, 4> corners_of(const Box& box)
+std::array<Vec2, 4> corners_of(const Box& box)
 {
-    return {box.least, Spot{box.most.x, box.least.y}, box.most, Spot{box.least.x, box.most.y}};
+    return {box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}};
 }
 
 art::Drawing outline_of(const Box& box) { return {{scene::polyline(corners_of(box), true)}}; }

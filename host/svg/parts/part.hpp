@@ -44,12 +44,12 @@ struct Part {
 
 /// The corners of a box around something.
 struct Box {
-    scene::Spot least;
-    scene::Spot most;
-    scene::Spot centre() const { return 0.5 * (least + most); }
+    scene::Vec2 min;
+    scene::Vec2 max;
+    scene::Vec2 centre() const { return 0.5 * (min + max); }
 };
 
-std::array<scene::Spot, 4> corners_of(const Box& box);
+std::array<scene::Vec2, 4> corners_of(const Box& box);
 art::Drawing outline_of(const Box& box);
 
 art::Drawing seen_through(const art::Affine& affine, const art::Drawing& drawing);

@@ -18,9 +18,9 @@ constexpr double farthest = 1e6;
 /// In pixels: files of drawings are rounded, most of them to 1/1000 of their units.
 constexpr double rounding = 1.0 / 64;
 /// Of points that are rounded before they grow.
-constexpr double most_growth = 4;
+constexpr double max_growth = 4;
 
-bool is_near_enough(scene::Spot spot) { return std::abs(spot.x) <= farthest && std::abs(spot.y) <= farthest; }
+bool is_near_enough(scene::Vec2 spot) { return std::abs(spot.x) <= farthest && std::abs(spot.y) <= farthest; }
 
 bool is_near_enough(const Drawing& drawing)
 {
@@ -98,7 +98,7 @@ private:
         for (std::size_t i = 0; i < moments_.size(); ++i) {
             const Part& part = *moments_[i].part;
             const auto fit = similarity(from, through(ways_[i], part.drawing), rounding);
-            if (!fit || growth(*fit) > most_growth || growth(*fit) * most_growth < 1 ||
+            if (!fit || growth(*fit) > max_growth || growth(*fit) * max_growth < 1 ||
                 (has(&Part::pen) && std::abs(growth(*fit) * width(0) - width(i)) > rounding))
                 return std::nullopt;
             from_there.push_back(*fit);

@@ -14,8 +14,8 @@ namespace kfast::svg {
 namespace {
 
 // What does not change is there once for each layer.
-constexpr std::size_t most_layers = 500;
-constexpr std::size_t most_copies = std::size_t{1} << 18;
+constexpr std::size_t max_layers = 500;
+constexpr std::size_t max_copies = std::size_t{1} << 18;
 
 /// Inkscape's label; of other programs, the id.
 std::string layer_name(pugi::xml_node element)
@@ -75,8 +75,8 @@ std::vector<KeyLayer> key_layers(pugi::xml_node root, const KeyOptions& options)
                 "no two layers are named by a frame: name them \"0\", \"12\", \"frame 24\" or \"0.5s\"");
         return {};
     }
-    if (layers.size() > most_layers)
-        throw Failure("more than " + std::to_string(most_layers) +
+    if (layers.size() > max_layers)
+        throw Failure("more than " + std::to_string(max_layers) +
                       " layers are named by a frame: take some of them out");
     const auto same = std::ranges::adjacent_find(layers, {}, &KeyLayer::time);
     if (same != layers.end())
@@ -93,7 +93,7 @@ std::vector<Pose> poses_of(const Part& root, const std::vector<KeyLayer>& layers
         layer_of_part.push_back(layer_of(part, layers));
         shared += layer_of_part.back() == nullptr ? count_of(part) : 0;
     }
-    if (shared * layers.size() > most_copies)
+    if (shared * layers.size() > max_copies)
         throw Failure("there are too many shapes outside of the " + std::to_string(layers.size()) +
                       " layers that are named by frames: take some of them out");
     Part empty = root;

@@ -99,7 +99,7 @@ std::optional<Motion> motion_of(const Affine& at_rest, std::vector<Affine> from_
     if (stays ||
         !std::ranges::all_of(from_there, [](const Affine& each) { return move_of(each).has_value(); }))
         return std::nullopt;
-    const scene::Spot pivot = pivot_of(from_there, box);
+    const scene::Vec2 pivot = pivot_of(from_there, box);
     return Motion{at_rest, std::move(from_there), pivot};
 }
 
@@ -112,7 +112,7 @@ art::Transform transform_of(const Motion& motion, const Moments& moments, art::B
     std::vector<double> scale_y;
     for (const Affine& affine : motion.from_there) {
         const Move move = *move_of(affine);
-        const scene::Spot to = affine.of(motion.pivot);
+        const scene::Vec2 to = affine.of(motion.pivot);
         x.push_back(to.x);
         y.push_back(to.y);
         rotate.push_back(rotate.empty() ? move.rotate : shortest_from(rotate.back(), move.rotate));

@@ -49,7 +49,7 @@ std::vector<art::Affine> ways(const Moments& moments);
 struct Motion {
     art::Affine at_rest;                 ///< its way at one of the moments: goes into its points
     std::vector<art::Affine> from_there; ///< for each moment with it
-    scene::Spot pivot;
+    scene::Vec2 pivot;
 };
 
 /// Nothing where it stays, or leans, so that no node can do the same.

@@ -85,7 +85,7 @@ private:
 
     void by_order(const Part& group, std::vector<std::size_t>& lanes)
     {
-        constexpr std::size_t most_tries = 256; // of many unlike ones in a row
+        constexpr std::size_t max_tries = 256; // of many unlike ones in a row
         std::vector<std::size_t> free;
         for (std::size_t lane = 0; lane < result_.lanes.size(); ++lane)
             if (is_free(lane))
@@ -93,7 +93,7 @@ private:
         for (std::size_t i = 0; i < group.parts.size() && !free.empty(); ++i) {
             if (lanes[i] != none)
                 continue;
-            const auto end = free.begin() + static_cast<std::ptrdiff_t>(std::min(free.size(), most_tries));
+            const auto end = free.begin() + static_cast<std::ptrdiff_t>(std::min(free.size(), max_tries));
             const auto found = std::find_if(free.begin(), end, [&](std::size_t lane) {
                 return may_be_same(latest(result_.lanes[lane]), group.parts[i]);
             });

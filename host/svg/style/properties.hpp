@@ -15,8 +15,8 @@ struct Property {
     std::string_view name;
     Care care = Care::unknown;
     bool inherited = false;
-    std::string_view usual = {};   ///< of what is reported: the value without effect
-    std::string_view instead = {}; ///< of what is reported
+    std::string_view default_value = {}; ///< of what is reported: the value without effect
+    std::string_view instead = {};       ///< of what is reported
 };
 
 /// A property of CSS, or an attribute that stands for one.

@@ -71,10 +71,10 @@ std::string_view Style::operator[](std::string_view property) const
     return found == values_.end() ? std::string_view{} : found->second;
 }
 
-std::string_view Style::get(std::string_view property, std::string_view usual) const
+std::string_view Style::get(std::string_view property, std::string_view default_value) const
 {
     const std::string_view value = (*this)[property];
-    return value.empty() ? usual : value;
+    return value.empty() ? default_value : value;
 }
 
 void Style::set(const std::string& property, std::string_view value)
@@ -111,7 +111,7 @@ void Style::report(const std::string& layer, art::Losses& losses) const
         const Property property = property_of(name);
         if (property.care == Care::unknown)
             losses.add({"property \"" + shortened(name) + '"', layer, {}, "it is ignored"});
-        else if (property.care == Care::reported && !value.empty() && value != property.usual)
+        else if (property.care == Care::reported && !value.empty() && value != property.default_value)
             losses.add({name, layer, {}, std::string{property.instead}});
         if (value.find("var(") != value.npos || value.find("calc(") != value.npos)
             losses.add({name + ": " + shortened(value), layer, {}, "it is as if it were not set"});

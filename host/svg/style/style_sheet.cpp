@@ -14,8 +14,8 @@ namespace kfast::svg {
 namespace {
 
 constexpr int most_specific = 1'000'000'000;
-constexpr std::size_t most_rules = 10'000;
-constexpr std::size_t most_comparisons = 20'000'000; ///< of rules with elements: some seconds
+constexpr std::size_t max_rules = 10'000;
+constexpr std::size_t max_comparisons = 20'000'000; ///< of rules with elements: some seconds
 
 std::string without_comments(std::string_view css)
 {
@@ -100,9 +100,9 @@ std::optional<Compound> take_compound(std::string_view& text)
 
 int specificity(const Compound& compound)
 {
-    constexpr std::size_t most = 99; // of a kind: the next one counts more than them all
-    return static_cast<int>(10'000 * std::min(compound.ids.size(), most) +
-                            100 * std::min(compound.classes.size(), most)) +
+    constexpr std::size_t max = 99; // of a kind: the next one counts more than them all
+    return static_cast<int>(10'000 * std::min(compound.ids.size(), max) +
+                            100 * std::min(compound.classes.size(), max)) +
            (compound.type.empty() ? 0 : 1);
 }
 
@@ -257,7 +257,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view body, art
                 {"selector \"" + shortened(name) + "\" of a style sheet", {}, {}, "the rule is ignored"});
         if (read)
             rules_.push_back({*read, shared});
-        if (rules_.size() > most_rules)
+        if (rules_.size() > max_rules)
             throw Failure("more than 10000 rules in style sheets: take out those that are not needed");
     }
 }
@@ -277,7 +277,7 @@ void StyleSheet::add_at_rule(std::string_view prelude, std::string_view body, in
 std::vector<const Rule*> StyleSheet::matching(pugi::xml_node element)
 {
     comparisons_ += rules_.size();
-    if (comparisons_ > most_comparisons)
+    if (comparisons_ > max_comparisons)
         throw Failure(
             "too many rules in style sheets for so many elements: take out those that are not needed");
     std::vector<const Rule*> result;

@@ -7,39 +7,39 @@ namespace kfast::synfig {
 namespace {
 
 // Bones that are shorter carry nothing.
-constexpr double least_length = 1e-6;
+constexpr double min_length = 1e-6;
 constexpr double nearest_distance = 1e-10;
 constexpr double same_length = 1e-3;
 // Matrices are kept of so many moments.
-constexpr std::size_t most_moments = 4096;
+constexpr std::size_t max_moments = 4096;
 
-double distance_to_bone(const Bone& bone, Spot place)
+double distance_to_bone(const Bone& bone, Vec2 place)
 {
-    const Spot along = bone.to() - bone.from();
+    const Vec2 along = bone.to() - bone.from();
     const double share =
         std::clamp(scene::dot(place - bone.from(), along) / scene::dot(along, along), 0.0, 1.0);
     return scene::distance(place, bone.from() + share * along);
 }
 
 /// How deep a place lies in a circle: 1 in its middle, 0 on its edge and below that outside.
-double depth_in_circle(Spot centre, double radius, Spot place)
+double depth_in_circle(Vec2 centre, double radius, Vec2 place)
 {
     return radius > 0 ? 1 - scene::distance(centre, place) / radius : 0;
 }
 
 /// The same between the lines that touch both circles, from the middle of the bone outwards.
-double depth_in_belt(const Bone& bone, double margin, Spot place)
+double depth_in_belt(const Bone& bone, double margin, Vec2 place)
 {
     const double first = bone.width + margin;
     const double last = bone.tip_width + margin;
-    const Spot along = bone.to() - bone.from();
+    const Vec2 along = bone.to() - bone.from();
     const double length = std::sqrt(scene::dot(along, along));
     if (length <= std::abs(last - first))
         return 0;
     const double lean = (first - last) / length;
     const double upright = std::sqrt(1 - lean * lean);
-    const Spot direction = 1 / length * along;
-    const Spot from = bone.from() + first * lean * direction;
+    const Vec2 direction = 1 / length * along;
+    const Vec2 from = bone.from() + first * lean * direction;
     const double reach = length - first * lean + last * lean;
     const double share = scene::dot(place - from, direction) / reach;
     const double half_width = upright * (first + share * (last - first));
@@ -48,7 +48,7 @@ double depth_in_belt(const Bone& bone, double margin, Spot place)
     return 1 - std::abs(scene::cross(direction, place - from)) / half_width;
 }
 
-double depth_in(const Bone& bone, double margin, Spot place)
+double depth_in(const Bone& bone, double margin, Vec2 place)
 {
     return std::max({0.0, depth_in_circle(bone.from(), bone.width + margin, place),
                      depth_in_circle(bone.to(), bone.tip_width + margin, place),
@@ -58,7 +58,7 @@ double depth_in(const Bone& bone, double margin, Spot place)
 /// From the bone's own coordinates, in which it leads from (0, 0) to (1, 0).
 art::Affine frame_of(const Bone& bone)
 {
-    const Spot along = bone.to() - bone.from();
+    const Vec2 along = bone.to() - bone.from();
     return {along.x, along.y, -along.y, along.x, bone.from().x, bone.from().y};
 }
 
@@ -71,7 +71,7 @@ art::Affine inverse(const art::Affine& matrix)
                              matrix.a / determinant,
                              0,
                              0};
-    const Spot offset = linear.of(Spot{matrix.e, matrix.f});
+    const Vec2 offset = linear.of(Vec2{matrix.e, matrix.f});
     return {linear.a, linear.b, linear.c, linear.d, -offset.x, -offset.y};
 }
 
@@ -83,11 +83,11 @@ BoneField::BoneField(const Layer& layer) : layer_{layer}
 {
     for (const BonePair& pair : pairs_at(0))
         rests_.push_back(pair.rest);
-    const Spot one = layer.spot("point1", 0, {-4, 4});
-    const Spot other = layer.spot("point2", 0, {4, -4});
+    const Vec2 one = layer.spot("point1", 0, {-4, 4});
+    const Vec2 other = layer.spot("point2", 0, {4, -4});
     const double columns = std::max(1.0, layer.number("x_subdivisions", 0, 32));
     const double rows = std::max(1.0, layer.number("y_subdivisions", 0, 32));
-    const Spot step{(other.x - one.x) / columns, (other.y - one.y) / rows};
+    const Vec2 step{(other.x - one.x) / columns, (other.y - one.y) / rows};
     margin_ = 2 * std::sqrt(scene::dot(step, step));
 }
 
@@ -99,15 +99,15 @@ std::vector<BonePair> BoneField::pairs_at(double frame) const
         if (parts.size() == 2)
             pairs.push_back({parts[0].as<Bone>(), parts[1].as<Bone>()});
     }
-    std::erase_if(pairs, [](const BonePair& pair) { return !(length_of(pair.rest) > least_length); });
+    std::erase_if(pairs, [](const BonePair& pair) { return !(length_of(pair.rest) > min_length); });
     return pairs;
 }
 
-Spot BoneField::in_units(Spot place) const { return inverse(layer_.reading().to_canvas).of(place); }
+Vec2 BoneField::in_units(Vec2 place) const { return inverse(layer_.reading().to_canvas).of(place); }
 
-std::vector<art::BoneShare> BoneField::shares(Spot place) const
+std::vector<art::BoneShare> BoneField::shares(Vec2 place) const
 {
-    const Spot at = in_units(place);
+    const Vec2 at = in_units(place);
     std::vector<art::BoneShare> shares;
     for (std::size_t i = 0; i < rests_.size(); ++i)
         if (const double depth = depth_in(rests_[i], margin_, at); depth > 1e-10) {
@@ -117,15 +117,15 @@ std::vector<art::BoneShare> BoneField::shares(Spot place) const
     return shares;
 }
 
-bool BoneField::covers(Spot place) const
+bool BoneField::covers(Vec2 place) const
 {
     return std::ranges::any_of(
         rests_, [&, at = in_units(place)](const Bone& rest) { return depth_in(rest, 0, at) > 0; });
 }
 
-std::size_t BoneField::nearest(Spot place) const
+std::size_t BoneField::nearest(Vec2 place) const
 {
-    const Spot at = in_units(place);
+    const Vec2 at = in_units(place);
     const auto found =
         std::ranges::min_element(rests_, {}, [&](const Bone& rest) { return distance_to_bone(rest, at); });
     return static_cast<std::size_t>(found - rests_.begin());
@@ -135,7 +135,7 @@ art::Affine BoneField::carrying(std::size_t bone, double frame) const
 {
     auto known = carryings_.find(frame);
     if (known == carryings_.end()) {
-        if (carryings_.size() >= most_moments)
+        if (carryings_.size() >= max_moments)
             carryings_.clear();
         const art::Affine& to_canvas = layer_.reading().to_canvas;
         std::vector<art::Affine> all;
@@ -148,9 +148,9 @@ art::Affine BoneField::carrying(std::size_t bone, double frame) const
     return known->second[bone];
 }
 
-Spot BoneField::deformed(Spot place, double frame) const
+Vec2 BoneField::deformed(Vec2 place, double frame) const
 {
-    Spot total;
+    Vec2 total;
     double weights = 0;
     for (const art::BoneShare& share : shares(place)) {
         total = total + share.weight * carrying(share.bone, frame).of(place);

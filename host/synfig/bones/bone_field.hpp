@@ -22,21 +22,21 @@ public:
     /// In units of the file, y up.
     std::vector<BonePair> pairs_at(double frame) const;
     /// Of a place in pixels, at rest; bones that do not reach it have none.
-    std::vector<art::BoneShare> shares(Spot place) const;
+    std::vector<art::BoneShare> shares(Vec2 place) const;
     /// Whether the shape of a bone contains a place in pixels.
-    bool covers(Spot place) const;
-    std::size_t nearest(Spot place) const;
+    bool covers(Vec2 place) const;
+    std::size_t nearest(Vec2 place) const;
     /// What a bone does to what it carries, in pixels.
     art::Affine carrying(std::size_t bone, double frame) const;
     /// A place in no bone stays.
-    Spot deformed(Spot place, double frame) const;
+    Vec2 deformed(Vec2 place, double frame) const;
     /// Whether all bones are as long as at rest, at all times, and rest at all times.
     bool keeps_lengths() const;
     /// Times that show what the bones do: their waypoints, and some between.
     std::vector<double> samples() const;
 
 private:
-    Spot in_units(Spot place) const;
+    Vec2 in_units(Vec2 place) const;
 
     const Layer& layer_;
     std::vector<Bone> rests_; ///< in units of the file

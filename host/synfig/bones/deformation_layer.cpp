@@ -14,7 +14,7 @@ namespace {
 
 // Pixels by which a curve between two carried points may differ from the one that bends all along.
 constexpr double bend_tolerance = 0.25;
-constexpr std::size_t most_bones_of_point = 4;
+constexpr std::size_t max_bones_of_point = 4;
 
 class Deformation {
 public:
@@ -62,7 +62,7 @@ private:
     /// So that the way back to the beginning can bend as well.
     static void close_by_line(scene::Outline& outline)
     {
-        const Spot last = outline.curves.empty() ? outline.from : outline.curves.back().to;
+        const Vec2 last = outline.curves.empty() ? outline.from : outline.curves.back().to;
         if (outline.closed && scene::distance(last, outline.from) > 0)
             outline.curves.push_back(scene::line_to(outline.from));
     }
@@ -71,7 +71,7 @@ private:
     Division division_of(const art::Drawing& drawing) const
     {
         const auto samples = field_.samples();
-        return division(drawing, bend_tolerance, [&](const scene::Curve& curve, Spot from) {
+        return division(drawing, bend_tolerance, [&](const scene::Curve& curve, Vec2 from) {
             double worst = 0;
             for (const double frame : samples)
                 worst = std::max(worst, bend_error(curve, from, frame));
@@ -80,7 +80,7 @@ private:
     }
 
     /// How far a curve, carried at its ends alone, is from where its inside should be.
-    double bend_error(const scene::Curve& curve, Spot from, double frame) const
+    double bend_error(const scene::Curve& curve, Vec2 from, double frame) const
     {
         const art::Affine begin = carrying(from, frame);
         const art::Affine end = carrying(curve.to, frame);
@@ -93,7 +93,7 @@ private:
     }
 
     /// The mean of what the bones do to a place; nothing where there is none.
-    art::Affine carrying(Spot place, double frame) const
+    art::Affine carrying(Vec2 place, double frame) const
     {
         art::Affine total{0, 0, 0, 0, 0, 0};
         double weights = 0;
@@ -115,12 +115,12 @@ private:
         art::Skin skin;
         skin.rig = rig_index_;
         skin.turns_changes = true;
-        for (const Spot spot : points_of(drawing))
+        for (const Vec2 spot : points_of(drawing))
             skin.points.push_back(shares_in_rig(node, spot));
         return skin;
     }
 
-    std::vector<art::BoneShare> shares_in_rig(const art::Node& node, Spot spot)
+    std::vector<art::BoneShare> shares_in_rig(const art::Node& node, Vec2 spot)
     {
         if (!field_.covers(spot))
             layer_.reading().losses.add(
@@ -132,12 +132,12 @@ private:
         if (shares.empty())
             shares.push_back({field_.nearest(spot), 1});
         std::ranges::stable_sort(shares, std::ranges::greater{}, &art::BoneShare::weight);
-        shares.resize(std::min(shares.size(), most_bones_of_point));
+        shares.resize(std::min(shares.size(), max_bones_of_point));
         // Right on a bone its weight is beyond all measure.
-        const double most = shares.front().weight;
+        const double max = shares.front().weight;
         for (art::BoneShare& share : shares) {
             share.bone = rig_->place[share.bone];
-            share.weight /= most;
+            share.weight /= max;
         }
         std::erase_if(shares, [](const art::BoneShare& share) { return share.weight < 1.0 / 1024; });
         return shares;

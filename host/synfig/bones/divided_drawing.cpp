@@ -7,32 +7,32 @@ namespace {
 
 using scene::Curve;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr int deepest = 4;
 
-Spot mixed(Spot from, Spot to, double share) { return from + share * (to - from); }
+Vec2 mixed(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
-Curve as_cubic(Spot from, const Curve& curve)
+Curve as_cubic(Vec2 from, const Curve& curve)
 {
     return curve.cubic
                ? curve
                : scene::cubic_to(mixed(from, curve.to, 1.0 / 3), mixed(from, curve.to, 2.0 / 3), curve.to);
 }
 
-std::pair<Curve, Curve> halves(Spot from, const Curve& curve, double share)
+std::pair<Curve, Curve> halves(Vec2 from, const Curve& curve, double share)
 {
-    const Spot first = mixed(from, curve.c1, share);
-    const Spot middle = mixed(curve.c1, curve.c2, share);
-    const Spot last = mixed(curve.c2, curve.to, share);
-    const Spot before = mixed(first, middle, share);
-    const Spot behind = mixed(middle, last, share);
-    const Spot spot = mixed(before, behind, share);
+    const Vec2 first = mixed(from, curve.c1, share);
+    const Vec2 middle = mixed(curve.c1, curve.c2, share);
+    const Vec2 last = mixed(curve.c2, curve.to, share);
+    const Vec2 before = mixed(first, middle, share);
+    const Vec2 behind = mixed(middle, last, share);
+    const Vec2 spot = mixed(before, behind, share);
     return {scene::cubic_to(first, before, spot), scene::cubic_to(behind, last, curve.to)};
 }
 
-void divide(const Curve& curve, Spot from, double begin, double end, int depth, double tolerance,
-            const std::function<double(const Curve&, Spot)>& error, std::vector<double>& shares)
+void divide(const Curve& curve, Vec2 from, double begin, double end, int depth, double tolerance,
+            const std::function<double(const Curve&, Vec2)>& error, std::vector<double>& shares)
 {
     if (depth == deepest || error(curve, from) <= tolerance)
         return;
@@ -43,7 +43,7 @@ void divide(const Curve& curve, Spot from, double begin, double end, int depth, 
     divide(second, first.to, middle, end, depth + 1, tolerance, error, shares);
 }
 
-void add_divided(std::vector<Curve>& curves, Spot from, const Curve& curve, const std::vector<double>& shares)
+void add_divided(std::vector<Curve>& curves, Vec2 from, const Curve& curve, const std::vector<double>& shares)
 {
     if (shares.empty()) {
         curves.push_back(curve);
@@ -69,7 +69,7 @@ bool ends_at_beginning(const Outline& outline)
 
 }
 
-Spot spot_on(const Curve& cubic, Spot from, double share)
+Vec2 spot_on(const Curve& cubic, Vec2 from, double share)
 {
     const double rest = 1 - share;
     return rest * rest * rest * from + 3 * rest * rest * share * cubic.c1 +
@@ -77,12 +77,12 @@ Spot spot_on(const Curve& cubic, Spot from, double share)
 }
 
 Division division(const art::Drawing& drawing, double tolerance,
-                  const std::function<double(const Curve&, Spot)>& error)
+                  const std::function<double(const Curve&, Vec2)>& error)
 {
     Division result;
     for (const Outline& outline : drawing.outlines) {
         auto& own = result.emplace_back();
-        Spot from = outline.from;
+        Vec2 from = outline.from;
         for (const Curve& curve : outline.curves) {
             divide(as_cubic(from, curve), from, 0, 1, 0, tolerance, error, own.emplace_back());
             from = curve.to;
@@ -98,7 +98,7 @@ art::Drawing divided(const art::Drawing& drawing, const Division& division)
         const Outline& outline = drawing.outlines[i];
         result.outlines.push_back({outline.from, {}, outline.closed});
         Outline& own = result.outlines.back();
-        Spot from = outline.from;
+        Vec2 from = outline.from;
         for (std::size_t n = 0; n < outline.curves.size(); ++n) {
             add_divided(own.curves, from, outline.curves[n], division[i][n]);
             from = outline.curves[n].to;
@@ -107,9 +107,9 @@ art::Drawing divided(const art::Drawing& drawing, const Division& division)
     return result;
 }
 
-std::vector<Spot> points_of(const art::Drawing& drawing)
+std::vector<Vec2> points_of(const art::Drawing& drawing)
 {
-    std::vector<Spot> points;
+    std::vector<Vec2> points;
     for (const Outline& outline : drawing.outlines) {
         points.push_back(outline.from);
         const std::size_t count = outline.curves.size() - (ends_at_beginning(outline) ? 1 : 0);

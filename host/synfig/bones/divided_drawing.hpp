@@ -13,14 +13,14 @@ using Division = std::vector<std::vector<std::vector<double>>>;
 
 /// Halves curves until `error`, of a cubic and where it begins, is within the tolerance, at most 16 to 1.
 Division division(const art::Drawing& drawing, double tolerance,
-                  const std::function<double(const scene::Curve&, scene::Spot)>& error);
+                  const std::function<double(const scene::Curve&, scene::Vec2)>& error);
 
 /// The same picture with more points. The drawing has the form of the one that was looked at.
 art::Drawing divided(const art::Drawing& drawing, const Division& division);
 
-scene::Spot spot_on(const scene::Curve& cubic, scene::Spot from, double share);
+scene::Vec2 spot_on(const scene::Curve& cubic, scene::Vec2 from, double share);
 
 /// As skins count them: where outlines begin, and where their curves end, but for the closing point.
-std::vector<scene::Spot> points_of(const art::Drawing& drawing);
+std::vector<scene::Vec2> points_of(const art::Drawing& drawing);
 
 }

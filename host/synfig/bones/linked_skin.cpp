@@ -49,7 +49,7 @@ bool is_nothing(const ValueNode* node, Evaluator& evaluator)
 {
     if (!node)
         return true;
-    const Spot spot = is_constant(*node) ? evaluator.at(*node, 0).as<Spot>() : Spot{1, 1};
+    const Vec2 spot = is_constant(*node) ? evaluator.at(*node, 0).as<Vec2>() : Vec2{1, 1};
     return scene::dot(spot, spot) < 1e-16;
 }
 
@@ -91,7 +91,7 @@ public:
         for (const std::string& guid : reading_.file.bones())
             if (root_of(guid) == root)
                 tree.push_back(guid);
-        if (tree.empty() || tree.size() > scene::most_bones || !keep_their_shape(tree))
+        if (tree.empty() || tree.size() > scene::max_bones || !keep_their_shape(tree))
             return nullptr;
         const PosedRig posed = posed_rig(posed_bones(tree), reading_);
         linked.rig = reading_.rigs.size();
@@ -121,7 +121,7 @@ private:
         for (const std::string& guid : tree)
             bends.add(*reading_.values.bone(guid));
         std::vector<double> frames;
-        const Clock clock{reading_.begin, reading_.frame_rate};
+        const Driver clock{reading_.begin, reading_.frame_rate};
         for (const double time : bends.times())
             std::ranges::copy(clock.frames(time, reading_.frames), std::back_inserter(frames));
         return frames;

@@ -12,7 +12,7 @@ namespace {
 /// Degrees, counter-clockwise, without jumps: as all the angles that the bone has in the file say.
 double direction_of(const Bone& bone)
 {
-    const Spot along = bone.to() - bone.from();
+    const Vec2 along = bone.to() - bone.from();
     return bone.angle + std::remainder(std::atan2(along.y, along.x) / art::degree - bone.angle, 360);
 }
 
@@ -110,12 +110,12 @@ private:
     }
 
     /// Of the beginning of a bone, as if its parent had not turned.
-    Spot shift(std::size_t index, double frame) const
+    Vec2 shift(std::size_t index, double frame) const
     {
         const auto pairs = pairs_at(frame);
         const art::Affine& to_canvas = reading_.to_canvas;
-        const Spot now = to_canvas.of(pairs[index].pose.from());
-        const Spot rest = to_canvas.of(pairs[index].rest.from());
+        const Vec2 now = to_canvas.of(pairs[index].pose.from());
+        const Vec2 rest = to_canvas.of(pairs[index].rest.from());
         if (!parents_[index])
             return now - rest;
         const BonePair& parent = pairs[*parents_[index]];

@@ -57,12 +57,12 @@ Value exponential(Evaluator& evaluator, const ValueNode& node, double time)
     return {std::exp(evaluator.number(node, "exp", time)) * evaluator.number(node, "scale", time, 1)};
 }
 
-double least(Evaluator& evaluator, const ValueNode& node, double time)
+double min(Evaluator& evaluator, const ValueNode& node, double time)
 {
     return std::max(1e-8, evaluator.number(node, "epsilon", time, 1e-6));
 }
 
-double most(Evaluator& evaluator, const ValueNode& node, double time)
+double max(Evaluator& evaluator, const ValueNode& node, double time)
 {
     return evaluator.number(node, "infinite", time, 999999);
 }
@@ -70,14 +70,14 @@ double most(Evaluator& evaluator, const ValueNode& node, double time)
 Value logarithm(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const double value = evaluator.number(node, "link", time);
-    return {value < least(evaluator, node, time) ? -most(evaluator, node, time) : std::log(value)};
+    return {value < min(evaluator, node, time) ? -max(evaluator, node, time) : std::log(value)};
 }
 
 Value reciprocal(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const double value = evaluator.number(node, "link", time);
-    if (std::abs(value) < least(evaluator, node, time))
-        return {std::copysign(most(evaluator, node, time), value)};
+    if (std::abs(value) < min(evaluator, node, time))
+        return {std::copysign(max(evaluator, node, time), value)};
     return {1 / value};
 }
 
@@ -85,11 +85,11 @@ Value power(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const double base = evaluator.number(node, "base", time);
     const double exponent = evaluator.number(node, "power", time);
-    const double small = least(evaluator, node, time);
+    const double small = min(evaluator, node, time);
     if (std::abs(exponent) < small)
         return {1.0};
     if (std::abs(base) < small)
-        return {exponent > 0 ? 0 : most(evaluator, node, time)};
+        return {exponent > 0 ? 0 : max(evaluator, node, time)};
     return {std::pow(base, base <= small ? std::trunc(exponent) : exponent)};
 }
 
@@ -102,8 +102,8 @@ Value range(Evaluator& evaluator, const ValueNode& node, double time)
 
 Value dot_product(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    const Spot left = evaluator.spot(node, "lhs", time);
-    const Spot right = evaluator.spot(node, "rhs", time);
+    const Vec2 left = evaluator.spot(node, "lhs", time);
+    const Vec2 right = evaluator.spot(node, "rhs", time);
     const double product = scene::dot(left, right);
     if (node.type != "angle")
         return {product};

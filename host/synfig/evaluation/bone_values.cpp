@@ -26,14 +26,14 @@ art::Affine mean(const std::vector<Value>& pairs)
             total.d / weights, total.e / weights, total.f / weights};
 }
 
-Spot direction(const art::Affine& matrix, Spot spot)
+Vec2 direction(const art::Affine& matrix, Vec2 spot)
 {
     return {matrix.a * spot.x + matrix.c * spot.y, matrix.b * spot.x + matrix.d * spot.y};
 }
 
 Value carried(const art::Affine& matrix, const Value& value)
 {
-    if (const Spot* spot = std::get_if<Spot>(&value.held))
+    if (const Vec2* spot = std::get_if<Vec2>(&value.held))
         return {matrix.of(*spot)};
     if (const SplinePoint* found = std::get_if<SplinePoint>(&value.held)) {
         SplinePoint point = *found;
@@ -56,7 +56,7 @@ Value bone(Evaluator& evaluator, const ValueNode& node, double time)
     bone.parent = std::holds_alternative<Bone>(parent_link.held) ? parent_link.as<Bone>().guid
                                                                  : parent_link.as<BoneName>().guid;
     const Bone parent = evaluator.bone(bone.parent, time);
-    const Spot origin = evaluator.spot(node, "origin", time);
+    const Vec2 origin = evaluator.spot(node, "origin", time);
     const double angle = evaluator.number(node, "angle", time);
     // A growth of what hangs on the bone as well; the other one is its own.
     const double growth = evaluator.number(node, "scalex", time, 1);

@@ -33,7 +33,7 @@ Value placement(Evaluator& evaluator, const ValueNode& node, double time)
 {
     return {Placement{evaluator.spot(node, "offset", time), evaluator.number(node, "angle", time),
                       evaluator.number(node, "skew_angle", time),
-                      evaluator.link(node, "scale", time).as<Spot>({1, 1})}};
+                      evaluator.link(node, "scale", time).as<Vec2>({1, 1})}};
 }
 
 Value pair(Evaluator& evaluator, const ValueNode& node, double time, const char* first, const char* second)
@@ -44,7 +44,7 @@ Value pair(Evaluator& evaluator, const ValueNode& node, double time, const char*
 Value composite(Evaluator& evaluator, const ValueNode& node, double time)
 {
     if (node.type == "vector")
-        return {Spot{evaluator.number(node, "x", time), evaluator.number(node, "y", time)}};
+        return {Vec2{evaluator.number(node, "x", time), evaluator.number(node, "y", time)}};
     if (node.type == "color")
         return {Colour{evaluator.number(node, "r", time), evaluator.number(node, "g", time),
                        evaluator.number(node, "b", time), evaluator.number(node, "a", time, 1)}};
@@ -77,7 +77,7 @@ Value radial_composite(Evaluator& evaluator, const ValueNode& node, double time)
         return colour_by_hue(evaluator, node, time);
     const double radius = evaluator.number(node, "radius", time);
     const double angle = art::degree * evaluator.number(node, "theta", time);
-    return {Spot{radius * std::cos(angle), radius * std::sin(angle)}};
+    return {Vec2{radius * std::cos(angle), radius * std::sin(angle)}};
 }
 
 Value vector_x(Evaluator& evaluator, const ValueNode& node, double time)
@@ -92,13 +92,13 @@ Value vector_y(Evaluator& evaluator, const ValueNode& node, double time)
 
 Value vector_angle(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    const Spot spot = evaluator.spot(node, "vector", time);
+    const Vec2 spot = evaluator.spot(node, "vector", time);
     return {std::atan2(spot.y, spot.x) / art::degree};
 }
 
 Value vector_length(Evaluator& evaluator, const ValueNode& node, double time)
 {
-    const Spot spot = evaluator.spot(node, "vector", time);
+    const Vec2 spot = evaluator.spot(node, "vector", time);
     return {std::sqrt(scene::dot(spot, spot))};
 }
 

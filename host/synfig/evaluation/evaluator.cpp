@@ -18,7 +18,7 @@ namespace kfast::synfig {
 namespace {
 
 constexpr int deepest = 400;
-constexpr std::size_t most_steps = 30'000'000;
+constexpr std::size_t max_steps = 30'000'000;
 
 // Formulas reach any number; what no canvas needs is cut off, so that all further arithmetic stays finite.
 constexpr double largest = 1e12;
@@ -29,7 +29,7 @@ Value bounded(Value value)
 {
     if (double* number = std::get_if<double>(&value.held))
         *number = bounded(*number);
-    else if (Spot* spot = std::get_if<Spot>(&value.held))
+    else if (Vec2* spot = std::get_if<Vec2>(&value.held))
         *spot = {bounded(spot->x), bounded(spot->y)};
     else if (Colour* colour = std::get_if<Colour>(&value.held))
         *colour = {bounded(colour->red), bounded(colour->green), bounded(colour->blue),
@@ -85,7 +85,7 @@ bool Evaluator::knows(std::string_view kind)
 
 Value Evaluator::at(const ValueNode& node, double time)
 {
-    if (++steps_ > most_steps)
+    if (++steps_ > max_steps)
         file_.fail(node.place,
                    "working out the values of this file takes too long: make it shorter or simpler");
     if (node.kind == "constant")
@@ -116,19 +116,19 @@ Value Evaluator::link(const ValueNode& node, std::string_view name, double time)
     return linked ? at(*linked, time) : Value{};
 }
 
-double Evaluator::number(const ValueNode& node, std::string_view name, double time, double usual)
+double Evaluator::number(const ValueNode& node, std::string_view name, double time, double default_value)
 {
-    return link(node, name, time).number(usual);
+    return link(node, name, time).number(default_value);
 }
 
-bool Evaluator::truth(const ValueNode& node, std::string_view name, double time, bool usual)
+bool Evaluator::truth(const ValueNode& node, std::string_view name, double time, bool default_value)
 {
-    return link(node, name, time).truth(usual);
+    return link(node, name, time).truth(default_value);
 }
 
-Spot Evaluator::spot(const ValueNode& node, std::string_view name, double time)
+Vec2 Evaluator::spot(const ValueNode& node, std::string_view name, double time)
 {
-    return link(node, name, time).as<Spot>();
+    return link(node, name, time).as<Vec2>();
 }
 
 }

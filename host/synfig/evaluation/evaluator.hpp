@@ -31,9 +31,9 @@ public:
 
     // What value nodes are made of; for those that stand in other files.
     Value link(const ValueNode& node, std::string_view name, double time);
-    double number(const ValueNode& node, std::string_view name, double time, double usual = 0);
-    bool truth(const ValueNode& node, std::string_view name, double time, bool usual = false);
-    Spot spot(const ValueNode& node, std::string_view name, double time);
+    double number(const ValueNode& node, std::string_view name, double time, double default_value = 0);
+    bool truth(const ValueNode& node, std::string_view name, double time, bool default_value = false);
+    Vec2 spot(const ValueNode& node, std::string_view name, double time);
 
 private:
     using Law = Value (*)(Evaluator&, const ValueNode&, double);

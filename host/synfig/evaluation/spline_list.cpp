@@ -12,10 +12,10 @@ namespace {
 
 using art::mixed;
 
-Spot mixed(Spot from, Spot to, double share) { return from + share * (to - from); }
+Vec2 mixed(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
 /// Turns and grows from one to the other.
-Spot swung(Spot from, Spot to, double share)
+Vec2 swung(Vec2 from, Vec2 to, double share)
 {
     const double first = std::sqrt(scene::dot(from, from));
     const double second = std::sqrt(scene::dot(to, to));
@@ -30,25 +30,25 @@ Spot swung(Spot from, Spot to, double share)
 /// Axes that go along with two points.
 class Frame {
 public:
-    Frame(Spot first, Spot second) : middle_{0.5 * (first + second)}
+    Frame(Vec2 first, Vec2 second) : middle_{0.5 * (first + second)}
     {
         const double distance = scene::distance(first, second);
-        along_ = distance == 0 ? Spot{1, 0} : 1 / distance * (first - second);
+        along_ = distance == 0 ? Vec2{1, 0} : 1 / distance * (first - second);
     }
-    Spot inward(Spot direction) const
+    Vec2 inward(Vec2 direction) const
     {
         return {scene::dot(direction, along_), scene::cross(along_, direction)};
     }
-    Spot outward(Spot direction) const
+    Vec2 outward(Vec2 direction) const
     {
-        return direction.x * along_ + direction.y * Spot{-along_.y, along_.x};
+        return direction.x * along_ + direction.y * Vec2{-along_.y, along_.x};
     }
-    Spot place_inward(Spot place) const { return inward(place - middle_); }
-    Spot place_outward(Spot place) const { return middle_ + outward(place); }
+    Vec2 place_inward(Vec2 place) const { return inward(place - middle_); }
+    Vec2 place_outward(Vec2 place) const { return middle_ + outward(place); }
 
 private:
-    Spot middle_;
-    Spot along_;
+    Vec2 middle_;
+    Vec2 along_;
 };
 
 class Points {
@@ -108,7 +108,7 @@ private:
         const Frame on_frame = frame(before, behind, presence.on_time);
         const Frame now = frame(before, behind, time_);
         const double amount = presence.amount;
-        const auto direction = [&](Spot tangent) {
+        const auto direction = [&](Vec2 tangent) {
             return now.outward(
                 swung(off_frame.inward(gone.direction(on.origin)), on_frame.inward(tangent), amount));
         };
@@ -168,14 +168,14 @@ private:
 
 }
 
-Spot SplinePiece::at(double share) const
+Vec2 SplinePiece::at(double share) const
 {
     const double rest = 1 - share;
     return rest * rest * (1 + 2 * share) * from + share * share * (3 - 2 * share) * to +
            share * rest * rest * leaving - share * share * rest * arriving;
 }
 
-Spot SplinePiece::direction(double share) const
+Vec2 SplinePiece::direction(double share) const
 {
     const double rest = 1 - share;
     return 6 * share * rest * (to - from) + rest * (1 - 3 * share) * leaving -
@@ -186,9 +186,9 @@ double SplinePiece::length(double share) const
 {
     constexpr int steps = 32;
     double total = 0;
-    Spot last = from;
+    Vec2 last = from;
     for (int i = 1; i <= steps; ++i) {
-        const Spot next = at(share * i / steps);
+        const Vec2 next = at(share * i / steps);
         total += scene::distance(last, next);
         last = next;
     }

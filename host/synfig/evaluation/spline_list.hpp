@@ -10,17 +10,17 @@ List spline_list(Evaluator& evaluator, const ValueNode& node, double time);
 
 /// A cubic between two points of a spline.
 struct SplinePiece {
-    Spot from;
-    Spot leaving;
-    Spot to;
-    Spot arriving;
+    Vec2 from;
+    Vec2 leaving;
+    Vec2 to;
+    Vec2 arriving;
 
     SplinePiece(const SplinePoint& first, const SplinePoint& second)
         : from{first.vertex}, leaving{first.leaving()}, to{second.vertex}, arriving{second.arriving}
     {
     }
-    Spot at(double share) const;
-    Spot direction(double share) const;
+    Vec2 at(double share) const;
+    Vec2 direction(double share) const;
     double length(double share = 1) const; ///< from its beginning
 };
 

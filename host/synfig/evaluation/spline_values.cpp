@@ -83,13 +83,13 @@ std::optional<Foot> foot_of(Evaluator& evaluator, const ValueNode& node, double 
 Value vertex(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const auto foot = foot_of(evaluator, node, time);
-    return {foot ? foot->piece().at(foot->share) : Spot{}};
+    return {foot ? foot->piece().at(foot->share) : Vec2{}};
 }
 
 Value tangent(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const auto foot = foot_of(evaluator, node, time);
-    const Spot direction = foot ? foot->piece().direction(foot->share) : Spot{};
+    const Vec2 direction = foot ? foot->piece().direction(foot->share) : Vec2{};
     const double angle =
         std::atan2(direction.y, direction.x) + art::degree * evaluator.number(node, "offset", time);
     const double scale = evaluator.number(node, "scale", time, 1);
@@ -100,7 +100,7 @@ Value tangent(Evaluator& evaluator, const ValueNode& node, double time)
         return {angle / art::degree};
     if (node.type == "real")
         return {length};
-    return {Spot{length * std::cos(angle), length * std::sin(angle)}};
+    return {Vec2{length * std::cos(angle), length * std::sin(angle)}};
 }
 
 Value width(Evaluator& evaluator, const ValueNode& node, double time)
@@ -116,7 +116,7 @@ Value reversed_tangents(Evaluator& evaluator, const ValueNode& node, double time
     Value value = evaluator.link(node, "reference", time);
     SplinePoint* point = std::get_if<SplinePoint>(&value.held);
     if (point && evaluator.truth(node, "reverse", time)) {
-        const Spot leaving = point->leaving();
+        const Vec2 leaving = point->leaving();
         point->second = -1 * point->arriving;
         point->arriving = -1 * leaving;
         point->split_angle = point->split_radius = true;
@@ -131,7 +131,7 @@ Value reversed(Evaluator& evaluator, const ValueNode& node, double time)
         std::ranges::reverse(list->entries);
         for (Value& entry : list->entries)
             if (SplinePoint* point = std::get_if<SplinePoint>(&entry.held)) {
-                const Spot leaving = point->leaving();
+                const Vec2 leaving = point->leaving();
                 point->second = -1 * point->arriving;
                 point->arriving = -1 * leaving;
                 point->split_angle = point->split_radius = true;

@@ -9,7 +9,7 @@
 namespace kfast::synfig {
 namespace {
 
-constexpr std::size_t most_repeats = 10'000;
+constexpr std::size_t max_repeats = 10'000;
 constexpr int deepest = 1200; ///< values, bones that hang on each other included
 
 double constant(const ValueNode& node, std::string_view name)
@@ -64,7 +64,7 @@ void ValueBends::add_repeats(const ValueNode& node)
 {
     const double length = std::abs(constant(node, "duration"));
     const double start = constant(node, node.kind == "step" ? "start_time" : "local_time");
-    if (length <= 0 || (to_ - from_) / length > most_repeats)
+    if (length <= 0 || (to_ - from_) / length > max_repeats)
         return;
     ValueBends inner{reader_, from_, to_};
     inner.add_links(node);
@@ -73,7 +73,7 @@ void ValueBends::add_repeats(const ValueNode& node)
         for (const double time : inner.times())
             offsets.push_back(std::fmod(std::abs(time - constant(node, "link_time")), length));
     const double first = start + std::floor((from_ - start) / length) * length;
-    for (int turn = 0; first + turn * length <= to_ && times_.size() < most_repeats; ++turn)
+    for (int turn = 0; first + turn * length <= to_ && times_.size() < max_repeats; ++turn)
         for (const double offset : offsets)
             times_.insert(first + turn * length + offset);
 }

@@ -20,10 +20,10 @@ bool is_list(std::string_view kind)
 
 void collect_unknown(ValueNode& node)
 {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t max = 8;
     const auto add = [&node](const std::set<std::string>& kinds) {
         for (const std::string& kind : kinds)
-            if (node.unknown.size() < most)
+            if (node.unknown.size() < max)
                 node.unknown.insert(kind);
     };
     if (!Evaluator::knows(node.kind))
@@ -169,9 +169,9 @@ Waypoint ValueReader::waypoint(pugi::xml_node element, const std::string& type)
     point.time = constants_.time(element, "time");
     if (type != "canvas")
         point.value = read_inside(element);
-    const auto usual = type == "angle" ? Interpolation::linear : Interpolation::automatic;
-    point.before = interpolation(element.attribute("before"), usual);
-    point.after = interpolation(element.attribute("after"), usual);
+    const auto default_value = type == "angle" ? Interpolation::linear : Interpolation::automatic;
+    point.before = interpolation(element.attribute("before"), default_value);
+    point.after = interpolation(element.attribute("after"), default_value);
     point.tension = constants_.number(element, "tension", 0);
     point.continuity = constants_.number(element, "continuity", 0);
     point.bias = constants_.number(element, "bias", 0);
@@ -179,7 +179,7 @@ Waypoint ValueReader::waypoint(pugi::xml_node element, const std::string& type)
     return point;
 }
 
-Interpolation ValueReader::interpolation(pugi::xml_attribute attribute, Interpolation usual) const
+Interpolation ValueReader::interpolation(pugi::xml_attribute attribute, Interpolation default_value) const
 {
     static constexpr std::pair<std::string_view, Interpolation> names[] = {
         {"auto", Interpolation::automatic},
@@ -188,12 +188,12 @@ Interpolation ValueReader::interpolation(pugi::xml_attribute attribute, Interpol
         {"halt", Interpolation::halt},
         {"clamped", Interpolation::clamped}};
     if (!attribute)
-        return usual;
+        return default_value;
     for (const auto& [name, kind] : names)
         if (attribute.value() == name)
             return kind;
     losses_.add({std::string{"interpolation \""} + attribute.value() + '"', "", {}, "the usual one"});
-    return usual;
+    return default_value;
 }
 
 void ValueReader::read_entries(pugi::xml_node element, ValueNode& node)

@@ -33,7 +33,7 @@ private:
     ValueNodePtr read_new(pugi::xml_node element);
     void read_waypoints(pugi::xml_node element, ValueNode& node);
     Waypoint waypoint(pugi::xml_node element, const std::string& type);
-    Interpolation interpolation(pugi::xml_attribute attribute, Interpolation usual) const;
+    Interpolation interpolation(pugi::xml_attribute attribute, Interpolation default_value) const;
     void read_entries(pugi::xml_node element, ValueNode& node);
     void read_switchings(pugi::xml_attribute times, bool on, Entry& entry);
     void read_links(pugi::xml_node element, ValueNode& node);

@@ -67,8 +67,8 @@ Colour multiply(const Colour& below, const Colour& above, double amount)
 
 Colour divide(const Colour& below, const Colour& above, double amount)
 {
-    constexpr double least = 1e-6;
-    return laid_on(below, above, amount, [](double under, double over) { return under / (over + least); });
+    constexpr double min = 1e-6;
+    return laid_on(below, above, amount, [](double under, double over) { return under / (over + min); });
 }
 
 Colour screen(const Colour& below, const Colour& above, double amount)

@@ -33,13 +33,13 @@ std::optional<Glow> glow_of(const Gradient& gradient)
     constexpr int rings = 64;
     if (gradient.at(1).alpha > nothing)
         return {};
-    double most = 0;
+    double max = 0;
     for (int ring = 0; ring < rings; ++ring)
-        most = std::max(most, gradient.at(static_cast<double>(ring) / rings).alpha);
-    if (most <= nothing)
+        max = std::max(max, gradient.at(static_cast<double>(ring) / rings).alpha);
+    if (max <= nothing)
         return {};
     int outermost = rings;
-    while (outermost > 1 && gradient.at(static_cast<double>(outermost) / rings).alpha < most / 2)
+    while (outermost > 1 && gradient.at(static_cast<double>(outermost) / rings).alpha < max / 2)
         --outermost;
     Colour total{0, 0, 0, 0};
     double area = 0;

@@ -10,7 +10,7 @@ namespace kfast::synfig {
 namespace {
 
 using Numbers = std::function<double(double)>;
-using Spots = std::function<Spot(double)>;
+using Spots = std::function<Vec2(double)>;
 
 /// Traces what depends on some parameters of a layer.
 class Channels {
@@ -147,10 +147,10 @@ Scope inside_of(const Layer& group)
     // Both are called long after this: the layer is kept with them.
     const auto kept = std::make_shared<Layer>(group);
     if (group.has("time_offset") || group.has("time_dilation")) {
-        const Clock clock = group.scope().clock;
-        const auto at = [kept](std::string_view name, double seconds, double usual) {
+        const Driver clock = group.scope().clock;
+        const auto at = [kept](std::string_view name, double seconds, double default_value) {
             const ValueNode* node = kept->parameter(name);
-            return node ? kept->reading().evaluator.at(*node, seconds).number(usual) : usual;
+            return node ? kept->reading().evaluator.at(*node, seconds).number(default_value) : default_value;
         };
         scope.clock =
             clock.with(running_gear([at](double seconds) { return at("time_dilation", seconds, 1); },
@@ -212,7 +212,7 @@ std::optional<art::Transform> movement_of(const Layer& layer)
     return transform;
 }
 
-std::optional<Clock::Gear> gear_of(const Layer& layer)
+std::optional<Driver::Gear> gear_of(const Layer& layer)
 {
     if (layer.type() == "freetime") {
         const auto kept = std::make_shared<Layer>(layer);

@@ -18,7 +18,7 @@ Scope inside_of(const Layer& group);
 std::optional<art::Transform> movement_of(const Layer& layer);
 
 /// Of a layer that changes the time of all that lies below it, likewise.
-std::optional<Clock::Gear> gear_of(const Layer& layer);
+std::optional<Driver::Gear> gear_of(const Layer& layer);
 
 /// When a switch shows a layer with that name, which is the one at that depth, from 0 at the top.
 std::vector<art::Span> shown_by_switch(const Layer& choice, const std::string& name, std::size_t depth);

@@ -93,8 +93,8 @@ private:
             const auto widths = half_widths(time);
             if (widths.empty())
                 return true;
-            const auto [least, most] = std::ranges::minmax(widths);
-            return most - least <= std::max(same_width / 2, same_width_share * most);
+            const auto [min, max] = std::ranges::minmax(widths);
+            return max - min <= std::max(same_width / 2, same_width_share * max);
         });
     }
 
@@ -201,9 +201,9 @@ private:
     SplinePiece piece(SplinePoint from, SplinePoint to, double frame) const
     {
         const art::Affine& matrix = layer_.reading().to_canvas;
-        const auto direction = [&](Spot spot) { return matrix.of(spot) - matrix.of(Spot{}); };
+        const auto direction = [&](Vec2 spot) { return matrix.of(spot) - matrix.of(Vec2{}); };
         SplinePiece piece{from, to};
-        const Spot begin = origin(frame);
+        const Vec2 begin = origin(frame);
         piece.from = matrix.of(begin + piece.from);
         piece.to = matrix.of(begin + piece.to);
         piece.leaving = direction(piece.leaving);
@@ -270,7 +270,7 @@ private:
         }
     }
 
-    Spot origin(double frame) const { return moves_ ? Spot{} : layer_.spot("origin", frame); }
+    Vec2 origin(double frame) const { return moves_ ? Vec2{} : layer_.spot("origin", frame); }
 
     const Layer& layer_;
     bool advanced_;

@@ -19,28 +19,28 @@ constexpr int parts = 4;
 // Synfig's corners reach no further than as many halves of the width.
 constexpr double longest_corner = 2;
 
-Spot unit(Spot spot)
+Vec2 unit(Vec2 spot)
 {
     const double length = std::sqrt(scene::dot(spot, spot));
-    return length < 1e-12 ? Spot{} : 1 / length * spot;
+    return length < 1e-12 ? Vec2{} : 1 / length * spot;
 }
-Spot left_of(Spot direction) { return {direction.y, -direction.x}; }
+Vec2 left_of(Vec2 direction) { return {direction.y, -direction.x}; }
 
 /// Two curves along a circle, from one place on it to another, the shorter way.
-void add_arc(std::vector<Curve>& curves, Spot centre, Spot from, Spot to, double angle)
+void add_arc(std::vector<Curve>& curves, Vec2 centre, Vec2 from, Vec2 to, double angle)
 {
     constexpr int halves = 2;
     const double step = angle / halves;
     const double arm = 4.0 / 3 * std::tan(step / 4);
     const double cosine = std::cos(step);
     const double sine = std::sin(step);
-    Spot radius = from - centre;
+    Vec2 radius = from - centre;
     for (int i = 0; i < halves; ++i) {
-        const Spot next =
+        const Vec2 next =
             i + 1 == halves ? to - centre
-                            : Spot{cosine * radius.x - sine * radius.y, sine * radius.x + cosine * radius.y};
-        curves.push_back(scene::cubic_to(centre + radius + arm * Spot{-radius.y, radius.x},
-                                         centre + next - arm * Spot{-next.y, next.x}, centre + next));
+                            : Vec2{cosine * radius.x - sine * radius.y, sine * radius.x + cosine * radius.y};
+        curves.push_back(scene::cubic_to(centre + radius + arm * Vec2{-radius.y, radius.x},
+                                         centre + next - arm * Vec2{-next.y, next.x}, centre + next));
         radius = next;
     }
 }
@@ -95,10 +95,10 @@ private:
     double from(std::size_t piece) const { return line_.loop ? 0 : share_at(piece, line_.from); }
     double to(std::size_t piece) const { return line_.loop ? 1 : share_at(piece, line_.to); }
 
-    Spot direction(std::size_t piece, double share) const
+    Vec2 direction(std::size_t piece, double share) const
     {
         const SplinePiece& own = line_.pieces[piece];
-        const Spot found = unit(own.direction(share));
+        const Vec2 found = unit(own.direction(share));
         if (found.x != 0 || found.y != 0)
             return found;
         constexpr double near = 1e-3;
@@ -110,13 +110,13 @@ private:
         return line_.half_width(begins_[piece] + line_.pieces[piece].length(share));
     }
 
-    Spot side_spot(std::size_t piece, double share, double side) const
+    Vec2 side_spot(std::size_t piece, double share, double side) const
     {
         return line_.pieces[piece].at(share) +
                side * half_width(piece, share) * left_of(direction(piece, share));
     }
 
-    Spot side_direction(std::size_t piece, double share, double side) const
+    Vec2 side_direction(std::size_t piece, double share, double side) const
     {
         constexpr double near = 1e-3;
         const double before = std::max(0.0, share - near);
@@ -138,8 +138,8 @@ private:
 
     void add_part(std::vector<Curve>& curves, std::size_t piece, double from, double to, double side) const
     {
-        const Spot begin = side_spot(piece, from, side);
-        const Spot end = side_spot(piece, to, side);
+        const Vec2 begin = side_spot(piece, from, side);
+        const Vec2 end = side_spot(piece, to, side);
         const double third = (to - from) / 3;
         curves.push_back(scene::cubic_to(begin + third * side_direction(piece, from, side),
                                          end - third * side_direction(piece, to, side), end));
@@ -149,18 +149,18 @@ private:
     void add_corner(std::vector<Curve>& curves, std::size_t piece, double side) const
     {
         const std::size_t next = (piece + 1) % line_.pieces.size();
-        const Spot before = direction(piece, 1);
-        const Spot behind = direction(next, 0);
-        const Spot from = side_spot(piece, 1, side);
-        const Spot to = side_spot(next, 0, side);
-        const Spot corner = line_.pieces[piece].to;
+        const Vec2 before = direction(piece, 1);
+        const Vec2 behind = direction(next, 0);
+        const Vec2 from = side_spot(piece, 1, side);
+        const Vec2 to = side_spot(next, 0, side);
+        const Vec2 corner = line_.pieces[piece].to;
         const double angle = std::atan2(scene::cross(before, behind), scene::dot(before, behind));
         const bool outer = angle * side > 0;
         if (outer && line_.corner == Corner::round) {
             add_arc(curves, corner, from, to, angle);
             return;
         }
-        Spot tip = 0.5 * (from + to);
+        Vec2 tip = 0.5 * (from + to);
         if (outer && line_.corner == Corner::sharp && to_end(piece)) {
             const double width = half_width(piece, 1);
             const double reach = std::min(longest_corner, 1 / std::max(1e-6, std::cos(angle / 2)));
@@ -172,7 +172,7 @@ private:
     /// Whether the line goes on behind the piece.
     bool to_end(std::size_t piece) const { return line_.loop || line_.to > begins_[piece + 1]; }
 
-    static Curve as_cubic(Spot from, Spot to)
+    static Curve as_cubic(Vec2 from, Vec2 to)
     {
         return scene::cubic_to(from + 1.0 / 3 * (to - from), from + 2.0 / 3 * (to - from), to);
     }
@@ -180,10 +180,10 @@ private:
     /// From one side to the other; `outward` is 1 at the end and -1 at the beginning.
     void add_end(std::vector<Curve>& curves, std::size_t piece, double share, Side kind, double outward) const
     {
-        const Spot from = side_spot(piece, share, outward);
-        const Spot to = side_spot(piece, share, -outward);
-        const Spot middle = line_.pieces[piece].at(share);
-        const Spot ahead = outward * half_width(piece, share) * direction(piece, share);
+        const Vec2 from = side_spot(piece, share, outward);
+        const Vec2 to = side_spot(piece, share, -outward);
+        const Vec2 middle = line_.pieces[piece].at(share);
+        const Vec2 ahead = outward * half_width(piece, share) * direction(piece, share);
         switch (kind) {
         case Side::round:
             add_arc(curves, middle, from, to, std::numbers::pi);
@@ -192,7 +192,7 @@ private:
             add_arc(curves, middle, from, to, -std::numbers::pi);
             return;
         case Side::square:
-            for (const Spot spot : {from + ahead, to + ahead, to})
+            for (const Vec2 spot : {from + ahead, to + ahead, to})
                 curves.push_back(scene::line_to(spot));
             return;
         case Side::peak:

@@ -15,19 +15,19 @@ namespace {
 using scene::Outline;
 
 /// What a layer draws at a frame, in the units of the file.
-using ShapeLaw = art::Drawing (*)(const Layer&, double, Spot origin);
+using ShapeLaw = art::Drawing (*)(const Layer&, double, Vec2 origin);
 
-bool is_nothing(Spot spot) { return std::abs(spot.x) < 1e-8 && std::abs(spot.y) < 1e-8; }
+bool is_nothing(Vec2 spot) { return std::abs(spot.x) < 1e-8 && std::abs(spot.y) < 1e-8; }
 
-scene::Curve curve_between(const SplinePoint& from, const SplinePoint& to, Spot origin)
+scene::Curve curve_between(const SplinePoint& from, const SplinePoint& to, Vec2 origin)
 {
-    const Spot end = origin + to.vertex;
+    const Vec2 end = origin + to.vertex;
     if (is_nothing(from.leaving()) && is_nothing(to.arriving))
         return scene::line_to(end);
     return scene::cubic_to(origin + from.vertex + 1.0 / 3 * from.leaving(), end - 1.0 / 3 * to.arriving, end);
 }
 
-art::Drawing region(const Layer& layer, double frame, Spot origin)
+art::Drawing region(const Layer& layer, double frame, Vec2 origin)
 {
     const List points = layer.at("bline", frame).as<List>();
     if (points.entries.empty())
@@ -37,7 +37,7 @@ art::Drawing region(const Layer& layer, double frame, Spot origin)
     return {{std::move(outline)}};
 }
 
-art::Drawing circle(const Layer& layer, double frame, Spot origin)
+art::Drawing circle(const Layer& layer, double frame, Vec2 origin)
 {
     const double radius = std::abs(layer.number("radius", frame, 1));
     // Clockwise once y points down.
@@ -45,13 +45,13 @@ art::Drawing circle(const Layer& layer, double frame, Spot origin)
 }
 
 /// A corner that Synfig rounds by a parabola.
-void add_corner(Outline& outline, Spot corner, Spot end)
+void add_corner(Outline& outline, Vec2 corner, Vec2 end)
 {
-    const Spot from = outline.curves.empty() ? outline.from : outline.curves.back().to;
+    const Vec2 from = outline.curves.empty() ? outline.from : outline.curves.back().to;
     outline.curves.push_back(scene::quadratic_to(from, corner, end));
 }
 
-Outline bevelled(Spot low, Spot high, double x, double y)
+Outline bevelled(Vec2 low, Vec2 high, double x, double y)
 {
     Outline outline{{low.x + x, high.y}, {}, true};
     outline.curves.push_back(scene::line_to({high.x - x, high.y}));
@@ -65,69 +65,69 @@ Outline bevelled(Spot low, Spot high, double x, double y)
     return outline;
 }
 
-art::Drawing rectangle(const Layer& layer, double frame, Spot)
+art::Drawing rectangle(const Layer& layer, double frame, Vec2)
 {
-    const Spot one = layer.spot("point1", frame);
-    const Spot other = layer.spot("point2", frame, {1, 1});
+    const Vec2 one = layer.spot("point1", frame);
+    const Vec2 other = layer.spot("point2", frame, {1, 1});
     const double more = std::abs(layer.number("expand", frame, 0));
-    const Spot low{std::min(one.x, other.x) - more, std::min(one.y, other.y) - more};
-    const Spot high{std::max(one.x, other.x) + more, std::max(one.y, other.y) + more};
+    const Vec2 low{std::min(one.x, other.x) - more, std::min(one.y, other.y) - more};
+    const Vec2 high{std::max(one.x, other.x) + more, std::max(one.y, other.y) + more};
     const double share = std::min(1.0, std::abs(layer.number("bevel", frame, 0))) / 2;
-    Spot bevel = share * (high - low);
+    Vec2 bevel = share * (high - low);
     if (layer.truth("bevCircle", frame, true))
         bevel = {std::min(bevel.x, bevel.y), std::min(bevel.x, bevel.y)};
     if (layer.has("bevel") && !(layer.bends({"bevel"}).empty() && share == 0))
         return {{bevelled(low, high, bevel.x, bevel.y)}};
-    const Spot corners[] = {{low.x, high.y}, high, {high.x, low.y}, low};
+    const Vec2 corners[] = {{low.x, high.y}, high, {high.x, low.y}, low};
     return {{scene::polyline(corners, true)}};
 }
 
-art::Drawing polygon(const Layer& layer, double frame, Spot origin)
+art::Drawing polygon(const Layer& layer, double frame, Vec2 origin)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (const Value& entry : layer.at("vector_list", frame).as<List>().entries)
-        spots.push_back(origin + entry.as<Spot>());
+        spots.push_back(origin + entry.as<Vec2>());
     if (spots.size() < 3)
         return {};
     return {{scene::polyline(spots, true)}};
 }
 
-art::Drawing star(const Layer& layer, double frame, Spot origin)
+art::Drawing star(const Layer& layer, double frame, Vec2 origin)
 {
-    constexpr int most_tips = 1000;
-    const int tips = std::clamp(layer.whole("points", frame, 5), 2, most_tips);
+    constexpr int max_tips = 1000;
+    const int tips = std::clamp(layer.whole("points", frame, 5), 2, max_tips);
     const double turn = layer.number("angle", frame, 90) * std::numbers::pi / 180;
     const bool regular = layer.truth("regular_polygon", frame, false);
     const double outer = layer.number("radius1", frame, 1);
     const double inner = layer.number("radius2", frame, 0.38);
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (int i = 0; i < 2 * tips; ++i) {
         const double angle = turn - i * std::numbers::pi / tips; // clockwise, as stars of scenes run
         const double radius = i % 2 == 0 ? outer : inner;
         if (i % 2 == 0 || !regular)
-            spots.push_back(origin + radius * Spot{std::cos(angle), std::sin(angle)});
+            spots.push_back(origin + radius * Vec2{std::cos(angle), std::sin(angle)});
     }
     return {{scene::polyline(spots, true)}};
 }
 
-art::Drawing checker_board(const Layer& layer, double frame, Spot)
+art::Drawing checker_board(const Layer& layer, double frame, Vec2)
 {
-    constexpr double most_squares = 4096;
+    constexpr double max_squares = 4096;
     const Reading& reading = layer.reading();
-    const Spot origin = layer.spot("origin", frame, {0.125, 0.125});
-    const Spot size = layer.spot("size", frame, {0.25, 0.25});
-    const Spot cell{std::abs(size.x), std::abs(size.y)};
+    const Vec2 origin = layer.spot("origin", frame, {0.125, 0.125});
+    const Vec2 size = layer.spot("size", frame, {0.25, 0.25});
+    const Vec2 cell{std::abs(size.x), std::abs(size.y)};
     const double across = reading.width / reading.pixels_per_unit;
     const double down = reading.height / reading.pixels_per_unit;
-    if (!(cell.x > 0 && cell.y > 0 && (across / cell.x + 2) * (down / cell.y + 2) < most_squares))
+    if (!(cell.x > 0 && cell.y > 0 && (across / cell.x + 2) * (down / cell.y + 2) < max_squares))
         return {};
-    const Spot corner{-reading.to_canvas.e / reading.pixels_per_unit,
+    const Vec2 corner{-reading.to_canvas.e / reading.pixels_per_unit,
                       reading.to_canvas.f / reading.pixels_per_unit - down};
     // From the origin, which may be far away, to the first square on the canvas.
-    const Spot skipped{std::floor((corner.x - origin.x) / cell.x),
+    const Vec2 skipped{std::floor((corner.x - origin.x) / cell.x),
                        std::floor((corner.y - origin.y) / cell.y)};
     const int parity = std::fmod(skipped.x + skipped.y, 2) != 0 ? 1 : 0;
-    const Spot first{origin.x + skipped.x * cell.x, origin.y + skipped.y * cell.y};
+    const Vec2 first{origin.x + skipped.x * cell.x, origin.y + skipped.y * cell.y};
     art::Drawing drawing;
     for (int row = 0; first.y + row * cell.y < corner.y + down; ++row)
         for (int column = 0; first.x + column * cell.x < corner.x + across; ++column)
@@ -158,7 +158,7 @@ void lose_soft_edges(const Layer& layer)
 
 }
 
-Outline outline_along(const List& points, Spot origin)
+Outline outline_along(const List& points, Vec2 origin)
 {
     std::vector<SplinePoint> spline;
     for (const Value& entry : points.entries)
@@ -207,7 +207,7 @@ bool moves_as_a_whole(const Layer& layer)
 void move_by_origin(art::Node& node, const Layer& layer)
 {
     const art::Affine& to_canvas = layer.reading().to_canvas;
-    const Spot zero = to_canvas.of(Spot{});
+    const Vec2 zero = to_canvas.of(Vec2{});
     const std::function<double(double)> x = [&](double frame) {
         return to_canvas.of(layer.spot("origin", frame)).x;
     };
@@ -236,7 +236,7 @@ std::optional<art::Node> read_shape_layer(const Layer& layer)
     if (moves)
         move_by_origin(node, layer);
     const std::function<art::Drawing(double)> drawing_at = [&](double frame) {
-        art::Drawing drawing = law->second(layer, frame, moves ? Spot{} : layer.spot("origin", frame));
+        art::Drawing drawing = law->second(layer, frame, moves ? Vec2{} : layer.spot("origin", frame));
         for (Outline& outline : drawing.outlines)
             outline = layer.reading().to_canvas.of(outline);
         if (inverted)

@@ -12,7 +12,7 @@ namespace kfast::synfig {
 std::optional<art::Node> read_shape_layer(const Layer& layer);
 
 /// The outline along the points of a spline, in the units of the file.
-scene::Outline outline_along(const List& points, Spot origin);
+scene::Outline outline_along(const List& points, Vec2 origin);
 
 /// Colour, opacity and rule of the parameters that all shapes have.
 art::Fill fill_of(const Layer& layer);

@@ -7,11 +7,11 @@
 namespace kfast::synfig {
 namespace {
 
-constexpr std::size_t most_moments = 20'000;
+constexpr std::size_t max_moments = 20'000;
 
 }
 
-double Clock::seconds(double frame) const
+double Driver::seconds(double frame) const
 {
     double time = begin_ + frame / frame_rate_;
     for (const Gear& gear : gears_)
@@ -19,7 +19,7 @@ double Clock::seconds(double frame) const
     return time;
 }
 
-std::vector<double> Clock::frames(double seconds, double last) const
+std::vector<double> Driver::frames(double seconds, double last) const
 {
     const double end = begin_ + last / frame_rate_;
     std::vector<double> moments{seconds};
@@ -27,7 +27,7 @@ std::vector<double> Clock::frames(double seconds, double last) const
         std::vector<double> around;
         for (const double moment : moments)
             for (const double time : gears_[i].around(begin_, end, moment))
-                if (around.size() < most_moments)
+                if (around.size() < max_moments)
                     around.push_back(time);
         moments = std::move(around);
     }
@@ -41,14 +41,14 @@ std::vector<double> Clock::frames(double seconds, double last) const
     return result;
 }
 
-Clock Clock::with(Gear gear) const
+Driver Driver::with(Gear gear) const
 {
-    Clock clock = *this;
+    Driver clock = *this;
     clock.gears_.push_back(std::move(gear));
     return clock;
 }
 
-Clock::Gear running_gear(std::function<double(double)> factor, std::function<double(double)> offset)
+Driver::Gear running_gear(std::function<double(double)> factor, std::function<double(double)> offset)
 {
     const auto around = [factor, offset](double from, double, double inside) -> std::vector<double> {
         const double speed = factor(from);
@@ -57,7 +57,7 @@ Clock::Gear running_gear(std::function<double(double)> factor, std::function<dou
     return {[factor, offset](double time) { return factor(time) * time + offset(time); }, around};
 }
 
-Clock::Gear looping_gear(double inside, double local, double duration, double shift_before)
+Driver::Gear looping_gear(double inside, double local, double duration, double shift_before)
 {
     const double length = std::abs(duration);
     const double direction = duration < 0 ? -1 : 1;
@@ -70,7 +70,7 @@ Clock::Gear looping_gear(double inside, double local, double duration, double sh
         std::vector<double> times;
         const double first = std::floor((from - local) / length);
         const double offset = direction * (moment - inside);
-        for (double turn = first; local + turn * length <= to && times.size() < most_moments; ++turn) {
+        for (double turn = first; local + turn * length <= to && times.size() < max_moments; ++turn) {
             times.push_back(local + turn * length);
             if (offset > 0 && offset < length)
                 times.push_back(local + turn * length + offset);
@@ -81,7 +81,7 @@ Clock::Gear looping_gear(double inside, double local, double duration, double sh
             around};
 }
 
-Clock::Gear free_gear(std::function<double(double)> time)
+Driver::Gear free_gear(std::function<double(double)> time)
 {
     return {std::move(time), [](double, double, double) { return std::vector<double>{}; }};
 }

@@ -73,26 +73,26 @@ Value Layer::at(std::string_view name, double frame) const
     return node ? reading_->evaluator.at(*node, scope_.clock.seconds(frame)) : Value{};
 }
 
-double Layer::number(std::string_view name, double frame, double usual) const
+double Layer::number(std::string_view name, double frame, double default_value) const
 {
-    const double value = at(name, frame).number(usual);
-    return std::isfinite(value) ? value : usual;
+    const double value = at(name, frame).number(default_value);
+    return std::isfinite(value) ? value : default_value;
 }
 
-int Layer::whole(std::string_view name, double frame, int usual) const
+int Layer::whole(std::string_view name, double frame, int default_value) const
 {
-    constexpr double most = 1e9;
-    return static_cast<int>(std::clamp(number(name, frame, usual), -most, most));
+    constexpr double max = 1e9;
+    return static_cast<int>(std::clamp(number(name, frame, default_value), -max, max));
 }
 
-bool Layer::truth(std::string_view name, double frame, bool usual) const
+bool Layer::truth(std::string_view name, double frame, bool default_value) const
 {
-    return at(name, frame).truth(usual);
+    return at(name, frame).truth(default_value);
 }
 
-Spot Layer::spot(std::string_view name, double frame, Spot usual) const
+Vec2 Layer::spot(std::string_view name, double frame, Vec2 default_value) const
 {
-    return at(name, frame).as<Spot>(usual);
+    return at(name, frame).as<Vec2>(default_value);
 }
 
 std::vector<double> Layer::bends(const std::vector<std::string_view>& names) const

@@ -29,10 +29,10 @@ public:
     pugi::xml_node canvas() const { return canvas_; }
 
     Value at(std::string_view name, double frame) const;
-    double number(std::string_view name, double frame, double usual) const;
-    int whole(std::string_view name, double frame, int usual) const;
-    bool truth(std::string_view name, double frame, bool usual) const;
-    Spot spot(std::string_view name, double frame, Spot usual = {}) const;
+    double number(std::string_view name, double frame, double default_value) const;
+    int whole(std::string_view name, double frame, int default_value) const;
+    bool truth(std::string_view name, double frame, bool default_value) const;
+    Vec2 spot(std::string_view name, double frame, Vec2 default_value = {}) const;
 
     /// Frames at which one of these parameters begins another way.
     std::vector<double> bends(const std::vector<std::string_view>& names) const;

@@ -44,7 +44,7 @@ struct Reading {
 
 /// Where layers stand.
 struct Scope {
-    Clock clock;
+    Driver clock;
     std::string path; ///< names from the outermost: "body / arm"
     int depth = 0;
     std::function<double(double)> line_growth; ///< by frames; a factor of the width of all lines

@@ -19,7 +19,7 @@ constexpr double shortest_way = 1.0 / 8;
 constexpr double lowest_swing = -2;
 constexpr double highest_swing = 3;
 
-void append(std::vector<double>& numbers, scene::Spot spot)
+void append(std::vector<double>& numbers, scene::Vec2 spot)
 {
     numbers.push_back(spot.x);
     numbers.push_back(spot.y);
@@ -34,7 +34,7 @@ std::vector<double> numbers_of(const Drawing& drawing)
     std::vector<double> numbers;
     for (const scene::Outline& outline : drawing.outlines) {
         append(numbers, outline.from);
-        scene::Spot from = outline.from;
+        scene::Vec2 from = outline.from;
         for (const scene::Curve& curve : outline.curves) {
             append(numbers, curve.cubic ? curve.c1 : from + 1.0 / 3 * (curve.to - from));
             append(numbers, curve.cubic ? curve.c2 : from + 2.0 / 3 * (curve.to - from));
@@ -214,11 +214,11 @@ private:
         const auto first = numbers_of(begin);
         const auto last = numbers_of(end);
         const double span = to - from;
-        std::size_t most = 0;
+        std::size_t max = 0;
         for (std::size_t i = 0; i < first.size(); ++i)
-            if (std::abs(last[i] - first[i]) > std::abs(last[most] - first[most]))
-                most = i;
-        const double change = first.empty() ? 0 : last[most] - first[most];
+            if (std::abs(last[i] - first[i]) > std::abs(last[max] - first[max]))
+                max = i;
+        const double change = first.empty() ? 0 : last[max] - first[max];
         if (std::abs(change) > tracing_.tolerance / 16) {
             if (follows(from, to, first, last, {}, tracing_.tolerance))
                 return true;
@@ -226,8 +226,7 @@ private:
             const auto two_thirds = numbers_of(value_at_(from + 2 * span / 3));
             if (third.size() != first.size() || two_thirds.size() != first.size())
                 return false;
-            ease =
-                ease_through((third[most] - first[most]) / change, (two_thirds[most] - first[most]) / change);
+            ease = ease_through((third[max] - first[max]) / change, (two_thirds[max] - first[max]) / change);
             if (!within_law(ease)) {
                 ease = {};
                 return false;

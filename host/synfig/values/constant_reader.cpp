@@ -11,7 +11,7 @@
 namespace kfast::synfig {
 namespace {
 
-constexpr double most_number = 1e9;
+constexpr double max_number = 1e9;
 
 }
 
@@ -44,7 +44,7 @@ Value ConstantReader::read(pugi::xml_node element) const
     if (kind == "string")
         return {std::string{element.text().get()}};
     if (kind == "vector")
-        return {Spot{number_inside(element.child("x"), 0), number_inside(element.child("y"), 0)}};
+        return {Vec2{number_inside(element.child("x"), 0), number_inside(element.child("y"), 0)}};
     if (kind == "color")
         return {Colour{number_inside(element.child("r"), 0), number_inside(element.child("g"), 0),
                        number_inside(element.child("b"), 0), number_inside(element.child("a"), 1)}};
@@ -85,10 +85,10 @@ SplinePoint ConstantReader::spline_point(pugi::xml_node element) const
 {
     SplinePoint point;
     const auto spot = [&](const char* name) {
-        return read(XmlFile::first_element(element.child(name))).as<Spot>();
+        return read(XmlFile::first_element(element.child(name))).as<Vec2>();
     };
-    const auto real = [&](const char* name, double usual) {
-        return read(XmlFile::first_element(element.child(name))).number(usual);
+    const auto real = [&](const char* name, double default_value) {
+        return read(XmlFile::first_element(element.child(name))).number(default_value);
     };
     point.vertex = spot(element.child("vertex") ? "vertex" : "point");
     point.arriving = spot("t1");
@@ -101,8 +101,8 @@ SplinePoint ConstantReader::spline_point(pugi::xml_node element) const
 
 WidthPoint ConstantReader::width_point(pugi::xml_node element) const
 {
-    const auto real = [&](const char* name, double usual) {
-        return read(XmlFile::first_element(element.child(name))).number(usual);
+    const auto real = [&](const char* name, double default_value) {
+        return read(XmlFile::first_element(element.child(name))).number(default_value);
     };
     return {real("position", 0), real("width", 1), side_of(real("side_before", 0)),
             side_of(real("side_after", 0))};
@@ -111,14 +111,14 @@ WidthPoint ConstantReader::width_point(pugi::xml_node element) const
 Placement ConstantReader::placement(pugi::xml_node element) const
 {
     const auto inner = [&](const char* name) { return read(XmlFile::first_element(element.child(name))); };
-    return {inner("offset").as<Spot>(), inner("angle").number(), inner("skew_angle").number(),
-            inner("scale").as<Spot>({1, 1})};
+    return {inner("offset").as<Vec2>(), inner("angle").number(), inner("skew_angle").number(),
+            inner("scale").as<Vec2>({1, 1})};
 }
 
-double ConstantReader::number(pugi::xml_node element, const char* attribute, double usual) const
+double ConstantReader::number(pugi::xml_node element, const char* attribute, double default_value) const
 {
     const auto found = element.attribute(attribute);
-    return found ? number_of(found.value(), element) : usual;
+    return found ? number_of(found.value(), element) : default_value;
 }
 
 /// Seeds of noise are as large as 32 bits go; nothing else is.
@@ -129,12 +129,12 @@ double ConstantReader::integer(pugi::xml_node element) const
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
     if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size())
         return number(element, "value", 0);
-    return std::clamp(static_cast<double>(value), -most_number, most_number);
+    return std::clamp(static_cast<double>(value), -max_number, max_number);
 }
 
-double ConstantReader::number_inside(pugi::xml_node element, double usual) const
+double ConstantReader::number_inside(pugi::xml_node element, double default_value) const
 {
-    return element ? number_of(element.text().get(), element) : usual;
+    return element ? number_of(element.text().get(), element) : default_value;
 }
 
 double ConstantReader::number_of(std::string_view text, pugi::xml_node element) const
@@ -142,7 +142,7 @@ double ConstantReader::number_of(std::string_view text, pugi::xml_node element) 
     const std::string_view digits = text.substr(std::min(text.find_first_not_of(" \t\r\n+"), text.size()));
     double value = 0;
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (parsed.ec != std::errc{} || !(std::abs(value) <= most_number))
+    if (parsed.ec != std::errc{} || !(std::abs(value) <= max_number))
         file_.fail(XmlFile::place(element), '"' + std::string{text} + "\" is no number below a billion");
     return value;
 }

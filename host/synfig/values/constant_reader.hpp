@@ -19,7 +19,7 @@ public:
 
     /// Of the element of a value; nothing if its kind has none that is used.
     Value read(pugi::xml_node element) const;
-    double number(pugi::xml_node element, const char* attribute, double usual) const;
+    double number(pugi::xml_node element, const char* attribute, double default_value) const;
     /// In seconds.
     double time(pugi::xml_node element, const char* attribute) const;
 
@@ -30,7 +30,7 @@ private:
     WidthPoint width_point(pugi::xml_node element) const;
     Placement placement(pugi::xml_node element) const;
     double integer(pugi::xml_node element) const;
-    double number_inside(pugi::xml_node element, double usual) const;
+    double number_inside(pugi::xml_node element, double default_value) const;
     double number_of(std::string_view text, pugi::xml_node element) const;
 
     const XmlFile& file_;

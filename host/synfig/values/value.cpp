@@ -8,17 +8,17 @@
 namespace kfast::synfig {
 namespace {
 
-Spot directed(double length, Spot along)
+Vec2 directed(double length, Vec2 along)
 {
     const double own = std::sqrt(scene::dot(along, along));
-    return own == 0 ? Spot{length, 0} : length / own * along;
+    return own == 0 ? Vec2{length, 0} : length / own * along;
 }
 
-double length_of(Spot spot) { return std::sqrt(scene::dot(spot, spot)); }
-double degrees_of(Spot spot) { return std::atan2(spot.y, spot.x) / art::degree; }
+double length_of(Vec2 spot) { return std::sqrt(scene::dot(spot, spot)); }
+double degrees_of(Vec2 spot) { return std::atan2(spot.y, spot.x) / art::degree; }
 
 double combined(double left, double right, double factor) { return left + factor * right; }
-Spot combined(Spot left, Spot right, double factor) { return left + factor * right; }
+Vec2 combined(Vec2 left, Vec2 right, double factor) { return left + factor * right; }
 Colour combined(const Colour& left, const Colour& right, double factor)
 {
     return {left.red + factor * right.red, left.green + factor * right.green, left.blue + factor * right.blue,
@@ -31,7 +31,7 @@ Value combined(const Value& left, const Value& right, double factor)
     return std::visit(
         [&](const auto& held) -> Value {
             using Held = std::decay_t<decltype(held)>;
-            if constexpr (std::is_same_v<Held, double> || std::is_same_v<Held, Spot> ||
+            if constexpr (std::is_same_v<Held, double> || std::is_same_v<Held, Vec2> ||
                           std::is_same_v<Held, Colour>)
                 return {combined(held, right.as<Held>(), factor)};
             else
@@ -42,7 +42,7 @@ Value combined(const Value& left, const Value& right, double factor)
 
 }
 
-Spot SplinePoint::leaving() const
+Vec2 SplinePoint::leaving() const
 {
     if (!split_radius && !split_angle)
         return arriving;
@@ -67,8 +67,8 @@ art::Affine Placement::matrix() const
 
 Placement Placement::of(const art::Affine& matrix)
 {
-    const Spot along{matrix.a, matrix.b};
-    const Spot across{matrix.c, matrix.d};
+    const Vec2 along{matrix.a, matrix.b};
+    const Vec2 across{matrix.c, matrix.d};
     const double angle = degrees_of(along);
     return {{matrix.e, matrix.f},
             angle,
@@ -76,22 +76,22 @@ Placement Placement::of(const art::Affine& matrix)
             {length_of(along), length_of(across)}};
 }
 
-Spot Bone::to() const { return from() + directed(length * stretch, {matrix.a, matrix.b}); }
+Vec2 Bone::to() const { return from() + directed(length * stretch, {matrix.a, matrix.b}); }
 
 art::Affine Bone::carrying() const { return matrix * art::grown(stretch, 1); }
 
-double Value::number(double usual) const
+double Value::number(double default_value) const
 {
     if (const bool* found = std::get_if<bool>(&held))
         return *found ? 1 : 0;
-    return as<double>(usual);
+    return as<double>(default_value);
 }
 
-bool Value::truth(bool usual) const
+bool Value::truth(bool default_value) const
 {
     if (const double* found = std::get_if<double>(&held))
         return *found != 0;
-    return as<bool>(usual);
+    return as<bool>(default_value);
 }
 
 Side side_of(double number)

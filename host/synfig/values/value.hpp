@@ -11,20 +11,20 @@
 
 namespace kfast::synfig {
 
-using scene::Spot;
+using scene::Vec2;
 
 /// A point of a spline. The way to the next point leaves along leaving() and arrives along its `arriving`,
 /// both three times as long as the arms of a Bézier curve.
 struct SplinePoint {
-    Spot vertex;
+    Vec2 vertex;
     double width = 1;
     double origin = 0.5; ///< where between its neighbours it appears and disappears
     bool split_radius = false;
     bool split_angle = false;
-    Spot arriving;
-    Spot second; ///< what of it counts, `split_radius` and `split_angle` say
+    Vec2 arriving;
+    Vec2 second; ///< what of it counts, `split_radius` and `split_angle` say
 
-    Spot leaving() const;
+    Vec2 leaving() const;
 };
 
 /// How a line goes on beside a width point.
@@ -40,10 +40,10 @@ struct WidthPoint {
 
 /// What a group does to its content, and what some values are moved by: grows and leans, turns, moves.
 struct Placement {
-    Spot offset;
+    Vec2 offset;
     double angle = 0; ///< degrees, counter-clockwise
     double skew = 0;  ///< degrees that the second axis is turned away from being square to the first
-    Spot scale{1, 1};
+    Vec2 scale{1, 1};
 
     art::Affine matrix() const;
     static Placement of(const art::Affine& matrix);
@@ -62,8 +62,8 @@ struct Bone {
     double tip_width = 0.1; ///< and where it ends
     double depth = 0;
 
-    Spot from() const { return {matrix.e, matrix.f}; }
-    Spot to() const;
+    Vec2 from() const { return {matrix.e, matrix.f}; }
+    Vec2 to() const;
     /// What points do that are linked to the bone.
     art::Affine carrying() const;
 };
@@ -82,19 +82,19 @@ struct List {
 
 /// What a value node is at a moment. Numbers are reals, integers, angles in degrees, and times in seconds.
 struct Value {
-    std::variant<std::monostate, bool, double, Spot, Colour, Gradient, std::string, SplinePoint, WidthPoint,
+    std::variant<std::monostate, bool, double, Vec2, Colour, Gradient, std::string, SplinePoint, WidthPoint,
                  Placement, Bone, BoneName, List>
         held;
 
     /// What is held, or a default where something else is.
     template <typename Held>
-    Held as(Held usual = {}) const
+    Held as(Held default_value = {}) const
     {
         const Held* found = std::get_if<Held>(&held);
-        return found ? *found : std::move(usual);
+        return found ? *found : std::move(default_value);
     }
-    double number(double usual = 0) const;
-    bool truth(bool usual = false) const;
+    double number(double default_value = 0) const;
+    bool truth(bool default_value = false) const;
 };
 
 /// As files number them; Side::flat for numbers that are none.

@@ -11,7 +11,7 @@ using Numbers = std::array<double, 4>;
 
 Numbers numbers_of(const Value& value)
 {
-    if (const Spot* spot = std::get_if<Spot>(&value.held))
+    if (const Vec2* spot = std::get_if<Vec2>(&value.held))
         return {spot->x, spot->y, 0, 0};
     if (const Colour* colour = std::get_if<Colour>(&value.held))
         return {colour->red, colour->green, colour->blue, colour->alpha};
@@ -20,8 +20,8 @@ Numbers numbers_of(const Value& value)
 
 Value value_like(const Value& example, const Numbers& numbers)
 {
-    if (std::holds_alternative<Spot>(example.held))
-        return {Spot{numbers[0], numbers[1]}};
+    if (std::holds_alternative<Vec2>(example.held))
+        return {Vec2{numbers[0], numbers[1]}};
     if (std::holds_alternative<Colour>(example.held))
         return {Colour{numbers[0], numbers[1], numbers[2], numbers[3]}};
     return {numbers[0]};
@@ -128,14 +128,14 @@ double hermite(double from, double to, double leaving, double arriving, double s
 
 std::size_t count_of_numbers(const Value& value)
 {
-    return std::holds_alternative<Spot>(value.held) ? 2 : std::holds_alternative<Colour>(value.held) ? 4 : 1;
+    return std::holds_alternative<Vec2>(value.held) ? 2 : std::holds_alternative<Colour>(value.held) ? 4 : 1;
 }
 
 }
 
 bool goes_smoothly(const Value& value)
 {
-    return std::holds_alternative<double>(value.held) || std::holds_alternative<Spot>(value.held) ||
+    return std::holds_alternative<double>(value.held) || std::holds_alternative<Vec2>(value.held) ||
            std::holds_alternative<Colour>(value.held);
 }
 

@@ -4,7 +4,7 @@
 
 namespace kfast::synfig {
 
-double width_at(const List& points, double position, double usual)
+double width_at(const List& points, double position, double default_value)
 {
     const WidthPoint* before = nullptr;
     const WidthPoint* behind = nullptr;
@@ -18,7 +18,7 @@ double width_at(const List& points, double position, double usual)
             behind = point;
     }
     if (!before || !behind)
-        return before ? before->width : behind ? behind->width : usual;
+        return before ? before->width : behind ? behind->width : default_value;
     const double span = behind->position - before->position;
     return span <= 0 ? before->width
                      : art::mixed(before->width, behind->width, (position - before->position) / span);

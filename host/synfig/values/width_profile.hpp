@@ -6,6 +6,6 @@ namespace kfast::synfig {
 
 /// Of a list of width points, sorted or not: the width in between, straight from one to the next; `usual`
 /// where there is none.
-double width_at(const List& points, double position, double usual);
+double width_at(const List& points, double position, double default_value);
 
 }

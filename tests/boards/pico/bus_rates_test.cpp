@@ -15,9 +15,9 @@ std::vector<std::uint32_t> clocks_of(BusKind bus)
 {
     const ClockRange range = clock_range(bus);
     std::vector<std::uint32_t> clocks;
-    for (std::uint64_t hz = range.least; hz < range.most; hz += hz / 1000 + 1)
+    for (std::uint64_t hz = range.min; hz < range.max; hz += hz / 1000 + 1)
         clocks.push_back(static_cast<std::uint32_t>(hz));
-    clocks.push_back(range.most);
+    clocks.push_back(range.max);
     return clocks;
 }
 

@@ -12,10 +12,10 @@ using pico::pio::PointClock;
 TEST_CASE("bits are never faster than asked for, and no slower than need be")
 {
     const ClockRange range = clock_range(BusKind::dac);
-    for (const std::uint32_t hz : {range.least, 1'000'000u, 1'234'567u, 3'906'250u, 12'500'000u, 17'857'143u,
-                                   17'857'142u, 20'000'000u, range.most}) {
+    for (const std::uint32_t hz : {range.min, 1'000'000u, 1'234'567u, 3'906'250u, 12'500'000u, 17'857'143u,
+                                   17'857'142u, 20'000'000u, range.max}) {
         const DacBit bit = dac_bit(hz);
-        CHECK(usual_hz <= std::uint64_t{hz} * bit.divisor * bit.cycles());
+        CHECK(default_hz <= std::uint64_t{hz} * bit.divisor * bit.cycles());
         CHECK(bit.divisor >= 1);
         CHECK(bit.divisor <= 65'535);
         CHECK(bit.low >= 2); // 16 ns, where an MCP4922 needs 15
@@ -25,7 +25,7 @@ TEST_CASE("bits are never faster than asked for, and no slower than need be")
     }
     CHECK(dac_bit(20'000'000).hz() == 17'857'142);
     CHECK(dac_bit(12'500'000).hz() == 12'500'000);
-    CHECK(most_points(20'000'000) == 500'000);
+    CHECK(max_points(20'000'000) == 500'000);
 }
 
 TEST_CASE("the clock of the points counts every cycle")

@@ -32,7 +32,7 @@ struct Stroke {
 
 void draw(const Stroke& stroke, BeamLines& lines, BeamInk ink = BeamInk::stroke, int coarseness = 0)
 {
-    BeamPen pen{lines, Sight{nullptr, coarseness}, resolution, ink, {255, 255, 255, 255}, 0};
+    BeamPen pen{lines, ViewProjection{nullptr, coarseness}, resolution, ink, {255, 255, 255, 255}, 0};
     const auto at = [&](std::size_t i) { return seen(stroke.corners[i].first, stroke.corners[i].second); };
     pen.begin(at(0));
     for (std::size_t i = 1; i < stroke.corners.size(); ++i)
@@ -136,7 +136,8 @@ TEST_CASE("an outline closes what is filled as if it were closed, but not the pa
     CHECK(drawn(hook) == Lines{{{0, 0}, {100, 0}, {100, 100}}});
     CHECK(drawn(hook, BeamInk::outline) == Lines{{{0, 0}, {100, 0}, {100, 100}, {0, 0}}});
     LineStore store;
-    BeamPen pen{store.lines, Sight{nullptr, 0}, resolution, BeamInk::outline, {255, 255, 255, 255}, 0};
+    BeamPen pen{store.lines,      ViewProjection{nullptr, 0}, resolution,
+                BeamInk::outline, {255, 255, 255, 255},       0};
     pen.begin(seen(0, 0));
     pen.add({.from = seen(0, 0), .to = seen(9, 0)});
     pen.end_part();
@@ -178,7 +179,7 @@ TEST_CASE("places 16383 px away do not overflow at the finest resolution")
 {
     for (const int fine : {64, 4096}) {
         LineStore store;
-        BeamPen pen{store.lines, Sight{nullptr, 0}, fine, BeamInk::stroke, {255, 255, 255, 255}, 0};
+        BeamPen pen{store.lines, ViewProjection{nullptr, 0}, fine, BeamInk::stroke, {255, 255, 255, 255}, 0};
         const Point far{Fixed::pixels(16383), Fixed::pixels(16383)};
         pen.begin(-far);
         pen.add({.from = -far, .to = far});

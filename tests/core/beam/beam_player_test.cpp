@@ -41,12 +41,12 @@ struct GuardedBeam {
     Bytes block;
     BeamPlayer player;
 
-    GuardedBeam(Bytes file, const BeamProfile& profile, std::uint32_t most_points)
+    GuardedBeam(Bytes file, const BeamProfile& profile, std::uint32_t max_points)
         : bytes{std::move(file)}, scene{accepted(bytes)}, budget{std::min<std::uint32_t>(
-                                                              most_points,
-                                                              profile.rate / profile.least_refresh)},
+                                                              max_points,
+                                                              profile.rate / profile.min_refresh)},
           block(BeamPlayer::block_bytes(scene, profile) + 2 * border, untouched),
-          player{*BeamPlayer::create(scene, profile, most_points,
+          player{*BeamPlayer::create(scene, profile, max_points,
                                      std::span{block}.subspan(border, block.size() - 2 * border))}
     {
     }
@@ -79,8 +79,8 @@ void tell_anything(BeamPlayer& player, std::mt19937& random)
 /// one, where there is nothing.
 bool shows_near(const Bytes& pixels, Size panel, FieldPoint at)
 {
-    const int column = (at.x - field_least) * panel.width / field_side;
-    const int row = (field_most - at.y) * panel.height / field_side;
+    const int column = (at.x - field_min) * panel.width / field_side;
+    const int row = (field_max - at.y) * panel.height / field_side;
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, panel.height - 1); ++y)
         for (int x = std::max(column - 1, 0); x <= std::min(column + 1, panel.width - 1); ++x) {
             const auto pixel =
@@ -161,7 +161,7 @@ TEST_CASE("there is room for whatever a scene draws, at every resolution")
                  {std::uint16_t{64}, std::uint16_t{256}, std::uint16_t{4096}}) {
                 BeamProfile profile = scope_profile;
                 profile.resolution = resolution;
-                profile.least_refresh = 1;
+                profile.min_refresh = 1;
                 GuardedBeam beam{
                     compiled("kfast 1\ncanvas 256 256\nobject o " + style + " { " + shapes + " }"), profile,
                     1'000'000};
@@ -204,13 +204,13 @@ TEST_CASE("live drawings of as many points as there may be keep to budget and bl
          {"stroke=white", "stroke=white width=4 cap=round join=bevel", "fill=white"})
         for (const BeamProfile& profile : profiles) {
             GuardedBeam beam{compiled(scene + style + " live=plot"), profile, 100'000};
-            for (const int most_points : {1, 2, 4000}) {
-                std::vector<std::vector<LivePoint>> strokes(most_points < 4000 ? 2000 : 1);
+            for (const int max_points : {1, 2, 4000}) {
+                std::vector<std::vector<InputPoint>> strokes(max_points < 4000 ? 2000 : 1);
                 for (auto& stroke : strokes)
-                    for (int i = 0; i < (most_points < 4000 ? most_points : 4096); ++i)
+                    for (int i = 0; i < (max_points < 4000 ? max_points : 4096); ++i)
                         stroke.push_back(
                             {static_cast<std::int16_t>(random()), static_cast<std::int16_t>(random())});
-                const std::vector<LiveStroke> told(strokes.begin(), strokes.end());
+                const std::vector<InputStroke> told(strokes.begin(), strokes.end());
                 REQUIRE(beam.player.set_drawing(0, told));
                 beam.player.show({});
                 beam.check();
@@ -223,19 +223,19 @@ TEST_CASE("there is room for all of a live drawing")
     std::mt19937 random{15};
     BeamProfile patient = scope_profile;
     patient.rate = 1'000'000;
-    patient.least_refresh = 1;
+    patient.min_refresh = 1;
     for (const std::string style : {"stroke=white", "fill=white"}) {
         GuardedBeam beam{compiled("kfast 1\ncanvas 256 256\ninput plot kind=drawing points=4096 strokes=99\n"
                                   "object o live=plot " +
                                   style),
                          patient, 1'000'000};
         for (int round = 0; round < rounds(20); ++round) {
-            std::vector<LivePoint> stroke;
+            std::vector<InputPoint> stroke;
             stroke.reserve(4096);
             for (int i = 0; i < 4096; ++i)
                 stroke.push_back(
                     {static_cast<std::int16_t>(random() >> 16), static_cast<std::int16_t>(random() >> 16)});
-            REQUIRE(beam.player.set_drawing(0, std::array{LiveStroke{stroke}}));
+            REQUIRE(beam.player.set_drawing(0, std::array{InputStroke{stroke}}));
             beam.player.show({});
             beam.check();
             CHECK(beam.player.report().is_complete);
@@ -272,7 +272,7 @@ TEST_CASE("thousands of dots are drawn as far as there is time")
     CHECK(!few.player.report().is_complete);
     CHECK(few.player.report().lines >= 1200);
     BeamProfile slow = scope_profile;
-    slow.least_refresh = 10;
+    slow.min_refresh = 10;
     GuardedBeam all{few.bytes, slow, 100'000};
     all.check();
     CHECK(all.player.report().is_complete);

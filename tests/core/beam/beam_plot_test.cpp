@@ -290,7 +290,7 @@ TEST_CASE("points do not depend on how many are asked for at once, nor on an ear
         profile.is_laser = random.number(1) == 0;
         const std::uint32_t budget = 16 + random.number(2000);
         const auto [pace, points] = plotted(store, legs, profile, budget);
-        const int guess = static_cast<int>(random.number(BeamGait::most_haste));
+        const int guess = static_cast<int>(random.number(BeamGait::max_haste));
         const BeamPace again = find_pace(store.lines, legs, profile, budget, guess);
         CHECK(again.haste == pace.haste);
         CHECK(again.legs == pace.legs);

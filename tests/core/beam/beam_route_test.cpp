@@ -28,12 +28,12 @@ struct Excess {
     int exact = 0;
 };
 
-Excess excess_of(std::size_t most_lines, int reach, int all)
+Excess excess_of(std::size_t max_lines, int reach, int all)
 {
-    std::mt19937 random{static_cast<std::uint32_t>(most_lines * 1000 + static_cast<std::size_t>(reach))};
+    std::mt19937 random{static_cast<std::uint32_t>(max_lines * 1000 + static_cast<std::size_t>(reach))};
     Excess excess;
     for (int i = 0; i < all; ++i) {
-        const DrawnLines drawn{random_lines(random, 2 + random() % (most_lines - 1), reach)};
+        const DrawnLines drawn{random_lines(random, 2 + random() % (max_lines - 1), reach)};
         const auto shortest = static_cast<double>(ShortestTour{drawn.lines}.travel());
         const double more = shortest == 0 ? 0 : 100 * (static_cast<double>(drawn.travel()) / shortest - 1);
         CHECK(more >= 0);

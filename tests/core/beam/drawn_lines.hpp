@@ -29,7 +29,7 @@ struct DrawnLines {
         }
     }
 
-    std::vector<BeamLeg> route(FieldPoint from = {}, std::uint32_t effort = usual_route_effort) const
+    std::vector<BeamLeg> route(FieldPoint from = {}, std::uint32_t effort = default_route_effort) const
     {
         std::vector<BeamLeg> legs(lines.size());
         find_route(lines, from, legs, effort);

@@ -51,10 +51,10 @@ class RandomLines {
 public:
     explicit RandomLines(std::uint32_t seed) : random_{seed} {}
 
-    void fill(LineStore& store, unsigned most_lines, unsigned most_points)
+    void fill(LineStore& store, unsigned max_lines, unsigned max_points)
     {
-        for (auto left = random_() % (most_lines + 1); left > 0; --left)
-            store.add(line(most_points), colour());
+        for (auto left = random_() % (max_lines + 1); left > 0; --left)
+            store.add(line(max_points), colour());
     }
 
     std::vector<BeamLeg> legs(const LineStore& store)
@@ -70,17 +70,17 @@ public:
         return all;
     }
 
-    std::uint32_t number(std::uint32_t most)
+    std::uint32_t number(std::uint32_t max)
     {
-        return static_cast<std::uint32_t>(random_() % (std::uint64_t{most} + 1));
+        return static_cast<std::uint32_t>(random_() % (std::uint64_t{max} + 1));
     }
 
 private:
-    std::vector<FieldPoint> line(unsigned most_points)
+    std::vector<FieldPoint> line(unsigned max_points)
     {
         const int bits = 1 + static_cast<int>(random_() % 17);
         std::vector<FieldPoint> points{random_() % 4 == 0 ? last_ : away(last_, 17)};
-        for (auto left = random_() % most_points; left > 0; --left)
+        for (auto left = random_() % max_points; left > 0; --left)
             points.push_back(away(points.back(), bits));
         if (random_() % 3 == 0)
             points.push_back(points.front());
@@ -92,7 +92,7 @@ private:
     {
         const auto moved = [this, bits](std::int32_t coordinate) {
             const auto way = static_cast<std::int32_t>(random_()) >> (32 - bits);
-            return static_cast<std::int16_t>(std::clamp(coordinate + way, field_least, field_most));
+            return static_cast<std::int16_t>(std::clamp(coordinate + way, field_min, field_max));
         };
         const std::int16_t x = moved(from.x);
         return {x, moved(from.y)};

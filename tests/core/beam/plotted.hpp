@@ -46,9 +46,7 @@ inline std::size_t count_at(const Points& points, FieldPoint at, bool is_lit)
 
 inline BeamProfile random_profile(RandomLines& random)
 {
-    const auto small = [&random](std::uint32_t most) {
-        return static_cast<std::uint8_t>(random.number(most));
-    };
+    const auto small = [&random](std::uint32_t max) { return static_cast<std::uint8_t>(random.number(max)); };
     BeamProfile profile{.rate = 1000 + random.number(99'000)};
     profile.lit_step = static_cast<std::uint16_t>(64 + random.number(4000));
     profile.travel_step = static_cast<std::uint16_t>(random.number(1) * (64 + random.number(9000)));

@@ -54,11 +54,11 @@ struct Travels {
 
 Travels travels_of(const Bytes& scene)
 {
-    constexpr int most = rounds(12);
+    constexpr int max = rounds(12);
     TracedScene traced{scene};
     Travels travels;
-    for (int picture = 0; picture < most; ++picture)
-        travels.add(traced.lines({traced.scene().length().ticks / most * picture}));
+    for (int picture = 0; picture < max; ++picture)
+        travels.add(traced.lines({traced.scene().length().ticks / max * picture}));
     return travels;
 }
 

@@ -22,12 +22,12 @@ public:
 
     std::uint64_t travel() const
     {
-        std::int64_t least = std::numeric_limits<std::int64_t>::max();
+        std::int64_t min = std::numeric_limits<std::int64_t>::max();
         if (ways_.empty())
             return 0;
         for (const Way& first : ways_[0])
-            least = std::min(least, travel_from(first));
-        return static_cast<std::uint64_t>(least);
+            min = std::min(min, travel_from(first));
+        return static_cast<std::uint64_t>(min);
     }
 
 private:
@@ -55,13 +55,13 @@ private:
     {
         const std::size_t sets = std::size_t{1} << ways_.size();
         // least[set][line][way]: of a path from `first` through the set to the end of that way
-        std::vector<Travels> least(sets, unknown());
+        std::vector<Travels> min(sets, unknown());
         const auto extend = [&](std::size_t set, FieldPoint at, std::int64_t travel) {
             for (std::size_t line = 1; line < ways_.size(); ++line) {
                 if ((set >> line & 1) != 0)
                     continue;
                 for (std::size_t way = 0; way < ways_[line].size(); ++way) {
-                    std::int64_t& there = least[set | std::size_t{1} << line][line][way];
+                    std::int64_t& there = min[set | std::size_t{1} << line][line][way];
                     there = std::min(there, travel + beam_travel(at, ways_[line][way].begin));
                 }
             }
@@ -71,7 +71,7 @@ private:
         for (std::size_t set = 1; set < sets; ++set)
             for (std::size_t line = 1; line < ways_.size(); ++line)
                 for (std::size_t way = 0; way < ways_[line].size(); ++way) {
-                    const std::int64_t travel = least[set][line][way];
+                    const std::int64_t travel = min[set][line][way];
                     if (travel == far)
                         continue;
                     extend(set, ways_[line][way].end, travel);

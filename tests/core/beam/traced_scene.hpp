@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_tracer.hpp"
-#include "core/pose/live_scene.hpp"
+#include "core/pose/scene_state.hpp"
 #include "tests/core/stage.hpp"
 
 #include <cstdint>
@@ -18,16 +18,13 @@ struct TracedBytes {
 };
 
 /// The lit lines of a scene at any moment.
-class TracedScene : private TracedBytes, public LiveScene {
+class TracedScene : private TracedBytes, public SceneState {
 public:
     static constexpr int resolution = 256;
 
     explicit TracedScene(Bytes scene)
-        : TracedBytes{std::move(scene)}, LiveScene{accepted(file),
-                                                   {resolution, resolution},
-                                                   Fit::contain,
-                                                   memory()},
-          storage_(1 << 18)
+        : TracedBytes{std::move(scene)},
+          SceneState{accepted(file), {resolution, resolution}, Fit::contain, memory()}, storage_(1 << 18)
     {
     }
 

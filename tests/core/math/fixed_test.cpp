@@ -48,10 +48,10 @@ TEST_CASE("a way leads from a to b, and beyond")
     CHECK(lerp(a, b, Way{Way::one / 2}).raw() == -1); // -1.5
     CHECK(lerp(a, b, Way{2 * Way::one}).raw() == 15);
     CHECK(lerp(a, b, Way{-Way::one / 2}).raw() == -12); // -12.5
-    const Fixed least = Fixed::sixteenths(-32768);
-    const Fixed most = Fixed::sixteenths(32767);
-    CHECK(lerp(least, most, Way{Way::one * 5 / 2}).raw() == Fixed::pixels(8192).raw() - 65536 * 5 / 32);
-    CHECK(lerp(most, least, Way{Way::one * 5 / 2}).raw() == 65536 * 3 / 32 - Fixed::pixels(8192).raw());
+    const Fixed min = Fixed::sixteenths(-32768);
+    const Fixed max = Fixed::sixteenths(32767);
+    CHECK(lerp(min, max, Way{Way::one * 5 / 2}).raw() == Fixed::pixels(8192).raw() - 65536 * 5 / 32);
+    CHECK(lerp(max, min, Way{Way::one * 5 / 2}).raw() == 65536 * 3 / 32 - Fixed::pixels(8192).raw());
 }
 
 TEST_CASE("32-bit steps multiply as 64 bits do")
@@ -65,11 +65,11 @@ TEST_CASE("32-bit steps multiply as 64 bits do")
     for (int round = 0; round < 1'000'000; ++round)
         check(static_cast<std::int32_t>(random()) >> random() % 32,
               static_cast<std::int32_t>(random()) >> random() % 32);
-    constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
-    constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
-    for (const std::int32_t value : {most, least, 65535, -65535, 65536, -65536, 0x7FFFFFFF - 32768, 1, -1, 0})
+    constexpr std::int32_t max = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t min = std::numeric_limits<std::int32_t>::min();
+    for (const std::int32_t value : {max, min, 65535, -65535, 65536, -65536, 0x7FFFFFFF - 32768, 1, -1, 0})
         for (const std::int32_t factor :
-             {65536, -65536, 65535, 1, 0, -1, 32768, -32768, most, least, 163840, -98304})
+             {65536, -65536, 65535, 1, 0, -1, 32768, -32768, max, min, 163840, -98304})
             check(value, factor);
 }
 

@@ -56,7 +56,7 @@ double worst_from_formula(const Segment& cubic, int pieces)
     for (const Point& point : flattened(cubic, pieces)) {
         const double t = ++step * h;
         const Spot on_curve = at(cubic, t);
-        const bool is_beside = step != pieces && step % most_steps != 0;
+        const bool is_beside = step != pieces && step % max_steps != 0;
         const Spot bend = at(cubic, t + h) - 2 * on_curve + at(cubic, t - h);
         const Spot off = spot(point) - (is_beside ? on_curve - 1 / 12.0 * bend : on_curve);
         worst = std::max(worst, std::hypot(off.x, off.y));
@@ -119,7 +119,7 @@ TEST_CASE("points lie beside the curve by a twelfth of their second difference, 
         const Segment cubic = random_cubic(random, reach);
         const int needed = pieces_for(cubic);
         const int pieces =
-            needed < most_steps ? std::clamp(needed + static_cast<int>(random() % 3), 2, most_steps) : needed;
+            needed < max_steps ? std::clamp(needed + static_cast<int>(random() % 3), 2, max_steps) : needed;
         const double off = worst_from_formula(cubic, pieces);
         REQUIRE(off <= std::max(1.0, reach / 65536.0 / 256) / 64);
     }
@@ -130,7 +130,7 @@ TEST_CASE("points are held in 32 bits at the ends of the range, where pieces are
     const auto far = [](int x, int y) { return Point{Fixed::pixels(16383 * x), Fixed::pixels(16383 * y)}; };
     const Segment cubic{Segment::Kind::cubic, far(-1, 1), far(1, -1), far(-1, -1), far(1, 1)};
     const Segment pinned{Segment::Kind::cubic, far(-1, 1), far(1, -1), far(1, -1), far(1, -1)};
-    for (int pieces = 2; pieces <= most_steps; ++pieces)
+    for (int pieces = 2; pieces <= max_steps; ++pieces)
         for (const Segment& segment : {cubic, pinned})
             CHECK(worst_from_formula(segment, pieces) <= 2048.0 / pieces / pieces + 48);
 }
@@ -138,14 +138,14 @@ TEST_CASE("points are held in 32 bits at the ends of the range, where pieces are
 TEST_CASE("pieces hardly turn back more often than a cubic can: in y they run in three stretches")
 {
     std::mt19937 random{62};
-    int most_stretches = 0;
+    int max_stretches = 0;
     int too_many = 0;
     for (int round = 0; round < 20'000; ++round) {
         const Segment cubic = random_cubic(random, Fixed::pixels(200).raw() >> random() % 24);
         int stretches = 0;
         int sense = 0;
         Fixed last = cubic.from.y;
-        for (const Point& point : flattened(cubic, 1 + static_cast<int>(random() % most_steps))) {
+        for (const Point& point : flattened(cubic, 1 + static_cast<int>(random() % max_steps))) {
             const int way = point.y > last ? 1 : point.y < last ? -1 : 0;
             if (way != 0 && way != sense) {
                 ++stretches;
@@ -153,10 +153,10 @@ TEST_CASE("pieces hardly turn back more often than a cubic can: in y they run in
             }
             last = point.y;
         }
-        most_stretches = std::max(most_stretches, stretches);
+        max_stretches = std::max(max_stretches, stretches);
         too_many += stretches > 3 ? 1 : 0;
     }
-    CHECK(most_stretches <= 5);
+    CHECK(max_stretches <= 5);
     CHECK(too_many < 20'000 / 100);
 }
 
@@ -186,8 +186,8 @@ TEST_CASE("a curve is cut into enough pieces, and hardly more")
         const int pieces = pieces_for(cubic);
         CHECK(worst_distance(cubic, pieces) <= flat);
         const double d = std::max(bend(cubic.from, cubic.c1, cubic.c2), bend(cubic.c1, cubic.c2, cubic.to));
-        const double most = std::sqrt(3 * d * 9 / 8 / 4 / flat); // |d| is computed up to 1/8 too long
-        CHECK(pieces <= (pieces <= 32 ? most + 1.01 : 2 * most));
+        const double max = std::sqrt(3 * d * 9 / 8 / 4 / flat); // |d| is computed up to 1/8 too long
+        CHECK(pieces <= (pieces <= 32 ? max + 1.01 : 2 * max));
     }
     CHECK(pieces_for({.from = pixels(0, 0), .to = pixels(900, 5)}) == 1);
     CHECK(pieces_for({Segment::Kind::cubic, pixels(0, 0), pixels(1, 0), pixels(2, 0), pixels(3, 0)}) == 1);
@@ -196,7 +196,7 @@ TEST_CASE("a curve is cut into enough pieces, and hardly more")
 TEST_CASE("the most curved cubics have as many pieces as may be")
 {
     const auto far = [](int x, int y) { return Point{Fixed::pixels(16383 * x), Fixed::pixels(16383 * y)}; };
-    CHECK(pieces_for({Segment::Kind::cubic, far(-1, 1), far(1, -1), far(-1, -1), far(1, 1)}) == most_pieces);
+    CHECK(pieces_for({Segment::Kind::cubic, far(-1, 1), far(1, -1), far(-1, -1), far(1, 1)}) == max_pieces);
 }
 
 }

@@ -128,8 +128,8 @@ TEST_CASE(
             if (left < distance / 4.0 || !is_on_canvas(exact))
                 continue;
             ++seen_points;
-            double& most = left < distance / 2.0 ? worst_near : worst;
-            most = std::max(most, apart(projection(pixels(at.x, at.y)), exact));
+            double& max = left < distance / 2.0 ? worst_near : worst;
+            max = std::max(max, apart(projection(pixels(at.x, at.y)), exact));
         }
     }
     CHECK(seen_points > 10'000);
@@ -211,8 +211,8 @@ TEST_CASE("a plane that is turned through the viewer is seen without a jump to t
 TEST_CASE("any space and any camera give a point that is held within 16383 px, and a growth of at least 0")
 {
     std::mt19937 random{104};
-    const auto extreme = [&random](std::int64_t most) {
-        const std::int64_t values[] = {-most, most, 0, 1, static_cast<std::int64_t>(random()) % most};
+    const auto extreme = [&random](std::int64_t max) {
+        const std::int64_t values[] = {-max, max, 0, 1, static_cast<std::int64_t>(random()) % max};
         return values[random() % 5];
     };
     const auto factor = [&] { return static_cast<std::int32_t>(extreme(Affine::steepest)); };

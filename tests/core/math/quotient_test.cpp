@@ -24,12 +24,12 @@ TEST_CASE("quotients and remainders are those of 64-bit division")
 
 TEST_CASE("quotients at the ends of their ranges, and signed ones towards 0")
 {
-    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    constexpr std::uint64_t max = std::numeric_limits<std::uint64_t>::max();
     for (const std::uint32_t divisor : {1U, 2U, 3U, 0xFFFFU, 0x10000U, 0x10001U, 0x7FFF'FFFFU, 0x8000'0000U,
                                         0x8000'FFFFU, 0xFFFF'0000U, 0xFFFF'FFFFU})
         for (const std::uint64_t dividend :
              {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{divisor}, std::uint64_t{divisor} - 1,
-              (std::uint64_t{divisor} << 32) - 1, std::uint64_t{divisor} << 32, most, most - 1}) {
+              (std::uint64_t{divisor} << 32) - 1, std::uint64_t{divisor} << 32, max, max - 1}) {
             CAPTURE(divisor);
             CAPTURE(dividend);
             CHECK(quotient(dividend, divisor) == dividend / divisor);

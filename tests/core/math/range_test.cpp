@@ -14,7 +14,7 @@
 namespace kfast::test {
 namespace {
 
-constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t max = std::numeric_limits<std::int32_t>::max();
 
 /// Coordinates less than 32768 px apart, lying anywhere in the range of Fixed.
 class WideBox {
@@ -30,9 +30,9 @@ public:
         case 0:
             return Fixed::from_raw(static_cast<std::int32_t>(low));
         case 1:
-            return Fixed::from_raw(static_cast<std::int32_t>(low + most));
+            return Fixed::from_raw(static_cast<std::int32_t>(low + max));
         default:
-            return Fixed::from_raw(static_cast<std::int32_t>(low + below(std::int64_t{most} + 1)));
+            return Fixed::from_raw(static_cast<std::int32_t>(low + below(std::int64_t{max} + 1)));
         }
     }
 
@@ -138,11 +138,11 @@ TEST_CASE("points and stretches of curves are within two units when coordinates 
 
 TEST_CASE("the control points of a line as a curve are off the thirds by 1/65536 of it at most")
 {
-    const Segment line{.from = {Fixed::from_raw(-(most / 2)), {}}, .to = {Fixed::from_raw(most / 2), {}}};
+    const Segment line{.from = {Fixed::from_raw(-(max / 2)), {}}, .to = {Fixed::from_raw(max / 2), {}}};
     const Segment live = as_cubic(line);
     CHECK(live.kind == Segment::Kind::cubic);
-    CHECK(off(live.c1.x, -most / 6.0) <= most / 65536.0);
-    CHECK(off(live.c2.x, most / 6.0) <= most / 65536.0);
+    CHECK(off(live.c1.x, -max / 6.0) <= max / 65536.0);
+    CHECK(off(live.c2.x, max / 6.0) <= max / 65536.0);
 }
 
 TEST_CASE("65535 strokes break one stroke of 65535 segments into its segments")

@@ -36,7 +36,7 @@ public:
         bones_ = MovedScene{scene}.bones_at({});
     }
 
-    std::span<const LiveBone> all() const { return bones_; }
+    std::span<const PosedBone> all() const { return bones_; }
 
     Spot mix(Point point, const std::vector<RawShare>& shares) const
     {
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    std::vector<LiveBone> bones_;
+    std::vector<PosedBone> bones_;
 };
 
 Point in_pixels(scene::Point point) { return {Fixed::sixteenths(point.x), Fixed::sixteenths(point.y)}; }
@@ -164,7 +164,7 @@ TEST_CASE("bones of equal weight carry a point to the mean of where each would")
     CarriedDrawing carried{read, read, SkinReader{ByteReader{skin}}, bones.all()};
     carried.next_stroke();
     Spot mean{0, 0};
-    for (const LiveBone& bone : bones.all())
+    for (const PosedBone& bone : bones.all())
         mean = mean + 0.25 * spot(bone(pixels(90, 30)));
     CHECK(apart(carried.start(), mean) < 1.0 / 65536);
 }
@@ -197,7 +197,7 @@ TEST_CASE("what bones carry out of reach is held within 4095 px")
     const Bytes file = raw.file();
     const SceneView scene = *SceneView::parse(file);
     MovedScene moved{scene};
-    const std::vector<LiveBone>& bones = moved.bones_at({});
+    const std::vector<PosedBone>& bones = moved.bones_at({});
     const Bytes bytes = packed({{polyline_of({{32767, 0}, {-32768, 16}})}});
     const Bytes skin = skin_bytes({{2, {{0}}}});
     const PackedDrawing read = drawing_at(bytes, 0);

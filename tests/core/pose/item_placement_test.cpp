@@ -69,8 +69,8 @@ TEST_CASE("scales apply before the rotation and mirror where they are negative")
 TEST_CASE("any placement is within 1/1000 px, at 30 px from the pivot")
 {
     std::mt19937 random{51};
-    const auto within = [&random](std::int32_t least, std::int32_t most) {
-        return std::uniform_int_distribution<std::int32_t>{least, most}(random);
+    const auto within = [&random](std::int32_t min, std::int32_t max) {
+        return std::uniform_int_distribution<std::int32_t>{min, max}(random);
     };
     double furthest = 0;
     for (int round = 0; round < 5000; ++round) {
@@ -100,8 +100,8 @@ TEST_CASE("the largest values and the wildest laws stay within the range of plac
 {
     for (const int frame : {1, 2, 8, 9})
         for (const int sign : {-1, 1}) {
-            const auto swinging = [sign](Property property, std::int32_t most) {
-                return moving_track(property, {{{}, wild, sign * most}, {Time::frame(10), 0, -sign * most}});
+            const auto swinging = [sign](Property property, std::int32_t max) {
+                return moving_track(property, {{{}, wild, sign * max}, {Time::frame(10), 0, -sign * max}});
             };
             const OwnedState state =
                 state_of({swinging(Property::x, 32767), swinging(Property::y, 32767),

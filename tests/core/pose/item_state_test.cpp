@@ -139,7 +139,7 @@ TEST_CASE("a smooth track goes by the curve through its keys")
                                         {Time::frame(2), 0, 1600},
                                         {Time::frame(5), 0, 400},
                                         {Time::frame(9), 0, 2000}};
-    std::vector<KeyTime> times;
+    std::vector<KeySample> times;
     times.reserve(keys.size());
     for (const RawTrackKey& key : keys)
         times.push_back({key.time, key.value});

@@ -8,9 +8,9 @@
 
 namespace kfast::test {
 
-inline int within(std::mt19937& random, int least, int most)
+inline int within(std::mt19937& random, int min, int max)
 {
-    return std::uniform_int_distribution<int>{least, most}(random);
+    return std::uniform_int_distribution<int>{min, max}(random);
 }
 
 inline std::int32_t random_value(std::mt19937& random, const RawBone& bone, std::size_t quantity)

@@ -82,9 +82,9 @@ TEST_CASE("corners are placed where the map places points")
         const raster::Corner placed = placement->map(raster::corner_at(placement->upright()(at)));
         const raster::Corner direct = raster::corner_at(map(at));
         const double reach = 200.0 * raster::grid * std::max(placement->scale, q16(growth)) / Fixed::one;
-        const double most = 1.5 + 2 * reach / (1 << 15); // both factors are rounded, too
-        CHECK(std::abs(placed.x - direct.x) <= most);
-        CHECK(std::abs(placed.y - direct.y) <= most);
+        const double max = 1.5 + 2 * reach / (1 << 15); // both factors are rounded, too
+        CHECK(std::abs(placed.x - direct.x) <= max);
+        CHECK(std::abs(placed.y - direct.y) <= max);
     }
 }
 

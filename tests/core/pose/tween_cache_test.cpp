@@ -11,23 +11,23 @@ namespace kfast::test {
 namespace {
 
 /// A stroke between two drawings, as it is told.
-struct LiveStroke {
+struct InputStroke {
     std::vector<Point> points;
     std::vector<bool> cubics;
     Point hub;
     bool is_whole = false;
     bool is_closed = false;
 
-    friend bool operator==(const LiveStroke&, const LiveStroke&) = default;
+    friend bool operator==(const InputStroke&, const InputStroke&) = default;
 };
 
 Point between(const Pair<Point>& both, Progress way) { return lerp(both.a, both.b, way.x, way.y); }
 
-std::vector<LiveStroke> streamed(EqualizedPair<CarriedDrawing> pair, Progress way)
+std::vector<InputStroke> streamed(EqualizedPair<CarriedDrawing> pair, Progress way)
 {
-    std::vector<LiveStroke> strokes;
+    std::vector<InputStroke> strokes;
     while (const std::uint32_t segments = pair.next_stroke()) {
-        LiveStroke& stroke = strokes.emplace_back();
+        InputStroke& stroke = strokes.emplace_back();
         Pair<Point> first;
         for (std::uint32_t i = 0; i < segments; ++i) {
             const Pair<Segment>& both = pair.next_segment();
@@ -51,12 +51,12 @@ std::vector<LiveStroke> streamed(EqualizedPair<CarriedDrawing> pair, Progress wa
 }
 
 /// By one of the two ways to read points.
-std::vector<LiveStroke> kept(TweenReader tween, Progress way, bool by_twos)
+std::vector<InputStroke> kept(TweenReader tween, Progress way, bool by_twos)
 {
     const auto next = [&] { return by_twos ? between(tween.next_points(), way) : tween.next_point(way); };
-    std::vector<LiveStroke> strokes;
+    std::vector<InputStroke> strokes;
     for (std::uint32_t i = 0; i < tween.strokes(); ++i) {
-        LiveStroke& stroke = strokes.emplace_back();
+        InputStroke& stroke = strokes.emplace_back();
         const std::uint32_t segments = tween.next_stroke();
         stroke.points.push_back(next());
         for (std::uint32_t segment = 0; segment < segments; ++segment) {
@@ -140,13 +140,13 @@ TEST_CASE("drawings that are kept come to the same strokes as those that are mad
         const Drawings drawings{a, b};
         Memory memory{2'000};
         const Progress way = random_way(random);
-        const std::vector<LiveStroke> strokes = streamed(drawings.pair(), way);
+        const std::vector<InputStroke> strokes = streamed(drawings.pair(), way);
         for (const bool by_twos : {false, true}) {
             const auto tween = kept_tween(memory.cache, drawings.raw.bytes(), drawings.from, drawings.to);
             REQUIRE(tween);
             REQUIRE(kept(*tween, way, by_twos) == strokes);
         }
-        for (const LiveStroke& stroke : strokes) {
+        for (const InputStroke& stroke : strokes) {
             parts += stroke.is_whole ? 0 : 1;
             closed += stroke.is_closed ? 1 : 0;
         }

@@ -24,7 +24,10 @@ struct KeyedTriangle {
     {
     }
 
-    KeyTimeline timeline() const { return {scene.place_of(keys.beats().place()), keys.beats().clock()}; }
+    KeyTimeline timeline() const
+    {
+        return {scene.place_of(keys.key_times().place()), keys.key_times().driver()};
+    }
 
 private:
     static Bytes file_with(const std::vector<RawTrackKey>& list)
@@ -51,7 +54,7 @@ std::vector<RawTrackKey> random_keys(std::mt19937& random)
 
 bool is_as_searched(const KeyTimeline& timeline, const KeyedTriangle& triangle, Time time)
 {
-    const auto [from, to] = interval_at(triangle.keys.beats(), time);
+    const auto [from, to] = interval_at(triangle.keys.key_times(), time);
     return timeline.from() == from.index && timeline.to() == to.index && timeline.now() == time &&
            timeline.is_between() == (from.index != to.index) &&
            timeline.progress() == progress_between(from.time, to.time, time, triangle.scene.laws(from.laws));

@@ -32,7 +32,7 @@ group { use leaf y=4; object c fill=lime { rect 1 1 4 4 } }
     CHECK(scene.records().timelines == 1);
     CHECK(scene.records().bones == 0);
     CHECK(PreparedScene::bytes_for(scene) ==
-          sizeof(KeyTimeline) + scene.records().tracks * sizeof(LiveTrack) + 8 * sizeof(Node) +
+          sizeof(KeyTimeline) + scene.records().tracks * sizeof(TrackState) + 8 * sizeof(Node) +
               4 * sizeof(WalkLevel)); // the scene, the group, the use, its objects
     MovedScene moved{scene};
     const PreparedScene& prepared = moved.at({});

@@ -56,13 +56,13 @@ bool is_inside(int winding, FillRule rule)
 /// Of 32 x 32 samples of a pixel.
 struct SampledPixel {
     double coverage; ///< 0 ... 256
-    int least;       ///< winding number
-    int most;
+    int min;         ///< winding number
+    int max;
 
     /// Whether outlines overlap within it so that their areas do not tell the coverage.
     bool has_overlaps(FillRule rule) const
     {
-        return most - least > 1 || (rule == FillRule::nonzero && least < 0 && most > 0);
+        return max - min > 1 || (rule == FillRule::nonzero && min < 0 && max > 0);
     }
 };
 
@@ -76,8 +76,8 @@ SampledPixel sampled(const std::vector<Polygon>& polygons, int x, int y, FillRul
         for (int i = 0; i < samples; ++i) {
             const int winding = winding_at(row, x + (i + 0.5) / samples);
             inside += is_inside(winding, rule);
-            pixel.least = std::min(pixel.least, winding);
-            pixel.most = std::max(pixel.most, winding);
+            pixel.min = std::min(pixel.min, winding);
+            pixel.max = std::max(pixel.max, winding);
         }
     }
     pixel.coverage = inside * double{full} / (samples * samples);
@@ -213,8 +213,8 @@ TEST_CASE("random outlines have the coverage that dense sampling finds")
         for (int y = 0; y < 12; ++y)
             for (int x = 0; x < 12; ++x) {
                 const SampledPixel expected = sampled(polygons, x, y, rule_of(round));
-                double& most = expected.has_overlaps(rule_of(round)) ? worst_where_overlapping : worst;
-                most = std::max(most, std::abs(picture.at(x, y) - expected.coverage));
+                double& max = expected.has_overlaps(rule_of(round)) ? worst_where_overlapping : worst;
+                max = std::max(max, std::abs(picture.at(x, y) - expected.coverage));
             }
     }
     CHECK(worst < 9 + bend_error); // the sampling itself is as coarse as 9

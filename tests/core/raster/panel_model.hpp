@@ -37,7 +37,7 @@ public:
     const std::vector<std::byte>& pixels() const { return pixels_; }
     std::size_t sent_bytes() const { return sent_bytes_; }
     /// No area lay where the panel does not take it.
-    bool is_sound() const { return is_sound_; }
+    bool is_valid() const { return is_sound_; }
 
 private:
     std::size_t stride() const { return row_bytes(format, size_.width); }

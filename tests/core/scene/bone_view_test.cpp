@@ -8,7 +8,7 @@
 namespace kfast::test {
 namespace {
 
-BonesView only(const Bytes& section) { return BonesCursor{ByteReader{section}}.next(); }
+SkeletonView only(const Bytes& section) { return SkeletonCursor{ByteReader{section}}.next(); }
 
 }
 
@@ -20,8 +20,8 @@ TEST_CASE("bones are read as they are set up, whatever keys they have")
     const RawBone child{.parent = 1, .is_at_tip = true, .set_up = {1, 2, 3, 4}};
     const RawBone free{.turns_as_written = true, .set_up = {4, 3, 2, 1}};
     const Bytes section = skeleton_bytes({{{Time::frame(2), 1}, {{2049}, 3}}, {root, child, free}});
-    BonesCursor skeletons{ByteReader{section}};
-    const BonesView bones = skeletons.next();
+    SkeletonCursor skeletons{ByteReader{section}};
+    const SkeletonView bones = skeletons.next();
     CHECK(skeletons.at_end());
     CHECK_FALSE(skeletons.overrun());
     CHECK(bones.count() == 3);
@@ -65,10 +65,10 @@ TEST_CASE("common beats have times and laws, and each quantity a value for each,
     bone.keys[1].common = {-1, -32768, 32767};
     bone.keys[3].common = {32768, 65535, 0};
     const Bytes section = skeleton_bytes({{{Time::frame(2), 1}, {{2049}, 3}, {Time::frame(9)}}, {bone}});
-    BeatCursor beats = only(section).common_beats();
-    CHECK(beats.count() == 3);
-    CHECK(beats.next().time == Time::frame(2));
-    const Beat second = beats.next();
+    KeyTimeCursor key_times = only(section).common_key_times();
+    CHECK(key_times.count() == 3);
+    CHECK(key_times.next().time == Time::frame(2));
+    const KeyTime second = key_times.next();
     CHECK(second.time == Time{2049});
     CHECK(second.laws == 3);
     const BoneView view = only(section).bones().next();
@@ -110,14 +110,14 @@ TEST_CASE("skeletons and bones that break off are noticed")
     const std::size_t size = section.size() - 1;
     for (std::size_t left = 0; left < size; ++left) {
         const Bytes cut = block(Bytes(section.begin() + 1, section.begin() + 1 + static_cast<long>(left)));
-        const BonesView bones = only(cut);
+        const SkeletonView bones = only(cut);
         if (bones.count() == 0)
             continue;
         BoneCursor cursor = bones.bones();
         cursor.next();
         CHECK(cursor.rest().overrun());
     }
-    BonesCursor skeletons{ByteReader{std::span{section}.first(size)}};
+    SkeletonCursor skeletons{ByteReader{std::span{section}.first(size)}};
     skeletons.next();
     CHECK(skeletons.overrun());
 }
@@ -126,7 +126,7 @@ TEST_CASE("skeletons are passed with nothing but the number of their bones")
 {
     const Bytes section = joined({skeleton_bytes({{{Time::frame(2), 1}}, {RawBone{}, RawBone{}}}),
                                   skeleton_bytes({{}, {RawBone{}}}), block(bytes({}))});
-    BonesCursor skeletons{ByteReader{section}};
+    SkeletonCursor skeletons{ByteReader{section}};
     CHECK(skeletons.skip() == 2);
     CHECK(skeletons.skip() == 1);
     CHECK_FALSE(skeletons.at_end());

@@ -30,9 +30,9 @@ struct RawGlyphs {
     }
 };
 
-bool is_sound(int count, const std::vector<std::pair<std::uint32_t, char32_t>>& stretches)
+bool is_valid(int count, const std::vector<std::pair<std::uint32_t, char32_t>>& stretches)
 {
-    return RawGlyphs{count, stretches}.set.is_sound();
+    return RawGlyphs{count, stretches}.set.is_valid();
 }
 
 }
@@ -41,7 +41,7 @@ TEST_CASE("a character is found by its stretch, and what lies between stretches 
 {
     const RawGlyphs raw{15, {{0, U' '}, {1, U'%'}, {2, U'0'}, {13, U'ä'}, {14, U'\U0001F600'}}};
     const GlyphSet& set = raw.set;
-    REQUIRE(set.is_sound());
+    REQUIRE(set.is_valid());
     CHECK(set.count() == 15);
     const std::u32string characters = U" %0123456789:ä\U0001F600";
     for (std::uint32_t glyph = 0; glyph < set.count(); ++glyph) {
@@ -54,20 +54,20 @@ TEST_CASE("a character is found by its stretch, and what lies between stretches 
 
 TEST_CASE("stretches rise and do not overlap")
 {
-    CHECK(is_sound(1, {{0, U'a'}}));
-    CHECK(is_sound(3, {{0, U'a'}, {2, U'c'}}));
-    CHECK(is_sound(1, {{0, last_code_point}}));
-    CHECK_FALSE(is_sound(0, {}));
-    CHECK_FALSE(is_sound(1, {}));
-    CHECK_FALSE(is_sound(0, {{0, U'a'}}));
-    CHECK_FALSE(is_sound(2, {{1, U'a'}}));
-    CHECK_FALSE(is_sound(3, {{0, U'a'}, {2, U'b'}}));
-    CHECK_FALSE(is_sound(3, {{0, U'c'}, {2, U'a'}}));
-    CHECK_FALSE(is_sound(2, {{0, U'a'}, {2, U'c'}}));
-    CHECK_FALSE(is_sound(3, {{0, U'a'}, {2, U'c'}, {2, U'e'}}));
-    CHECK_FALSE(is_sound(2, {{0, last_code_point}}));
-    CHECK_FALSE(is_sound(1, {{0, last_code_point + 1}}));
-    CHECK_FALSE(is_sound(255, {{0, 0xFFFFFF}}));
+    CHECK(is_valid(1, {{0, U'a'}}));
+    CHECK(is_valid(3, {{0, U'a'}, {2, U'c'}}));
+    CHECK(is_valid(1, {{0, last_code_point}}));
+    CHECK_FALSE(is_valid(0, {}));
+    CHECK_FALSE(is_valid(1, {}));
+    CHECK_FALSE(is_valid(0, {{0, U'a'}}));
+    CHECK_FALSE(is_valid(2, {{1, U'a'}}));
+    CHECK_FALSE(is_valid(3, {{0, U'a'}, {2, U'b'}}));
+    CHECK_FALSE(is_valid(3, {{0, U'c'}, {2, U'a'}}));
+    CHECK_FALSE(is_valid(2, {{0, U'a'}, {2, U'c'}}));
+    CHECK_FALSE(is_valid(3, {{0, U'a'}, {2, U'c'}, {2, U'e'}}));
+    CHECK_FALSE(is_valid(2, {{0, last_code_point}}));
+    CHECK_FALSE(is_valid(1, {{0, last_code_point + 1}}));
+    CHECK_FALSE(is_valid(255, {{0, 0xFFFFFF}}));
 }
 
 }

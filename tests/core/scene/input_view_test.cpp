@@ -12,9 +12,9 @@ namespace {
 constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
 constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
 
-std::int32_t place(std::int32_t least, std::int32_t most, std::int32_t value)
+std::int32_t place(std::int32_t min, std::int32_t max, std::int32_t value)
 {
-    return InputView{.name = {}, .least = least, .most = most, .usual = least}.place_of(value).ticks;
+    return InputView{.name = {}, .min = min, .max = max, .default_value = min}.place_of(value).ticks;
 }
 
 }
@@ -49,9 +49,9 @@ TEST_CASE("a scene tells its inputs, and finds one by its name")
     InputCursor inputs = view.inputs();
     const InputView gaze = inputs.next();
     CHECK(gaze.name == "gaze");
-    CHECK(gaze.least == -1000);
-    CHECK(gaze.most == 1000);
-    CHECK(gaze.usual == 250);
+    CHECK(gaze.min == -1000);
+    CHECK(gaze.max == 1000);
+    CHECK(gaze.default_value == 250);
     CHECK(inputs.next().name == "rpm");
     CHECK(inputs.at_end());
     CHECK(view.input("rpm") == 1);

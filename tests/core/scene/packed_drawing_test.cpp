@@ -32,7 +32,7 @@ void check_same(PackedDrawing packed, const scene::Drawing& drawing)
             CHECK(packed.next_segment() == expected);
         }
     }
-    CHECK(packed.is_sound());
+    CHECK(packed.is_valid());
 }
 
 std::size_t form_size(const scene::Stroke& stroke) { return packed_form(steps_of(stroke)).size(); }
@@ -48,20 +48,20 @@ bool has_16_bits(Point point)
 }
 
 /// As far as coordinates have 16 bits.
-bool is_sound(const Bytes& bytes)
+bool is_valid(const Bytes& bytes)
 {
     PackedDrawing drawing = drawing_at(bytes, 0);
-    for (std::uint32_t stroke = 0; stroke < drawing.strokes() && drawing.is_sound(); ++stroke) {
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes() && drawing.is_valid(); ++stroke) {
         std::uint32_t segments = drawing.next_stroke();
         if (!has_16_bits(drawing.start()))
             return false;
-        for (; segments > 0 && drawing.is_sound(); --segments) {
+        for (; segments > 0 && drawing.is_valid(); --segments) {
             const Segment segment = drawing.next_segment();
             if (!has_16_bits(segment.c1) || !has_16_bits(segment.c2) || !has_16_bits(segment.to))
                 return false;
         }
     }
-    return drawing.is_sound();
+    return drawing.is_valid();
 }
 
 }
@@ -143,10 +143,10 @@ TEST_CASE("a foretold end is the same, mirrored, for mirrored control points")
 {
     for (int out = -50; out <= 50; ++out)
         for (int in = -50; in <= 50; ++in) {
-            CHECK(foretold_end(out, in) == -foretold_end(-out, -in));
-            CHECK(std::abs(2 * foretold_end(out, in) - 3 * (out + in)) <= 1);
+            CHECK(predicted_end(out, in) == -predicted_end(-out, -in));
+            CHECK(std::abs(2 * predicted_end(out, in) - 3 * (out + in)) <= 1);
         }
-    CHECK(foretold_end(10, 10) == 30); // a line
+    CHECK(predicted_end(10, 10) == 30); // a line
 }
 
 TEST_CASE("a stroke is stored once, wherever it begins, also mirrored")
@@ -164,7 +164,7 @@ TEST_CASE("a stroke is stored once, wherever it begins, also mirrored")
 
 TEST_CASE("a drawing that is cut or has bits without a meaning is not sound")
 {
-    const auto sound = [](std::initializer_list<int> values) { return is_sound(bytes(values)); };
+    const auto sound = [](std::initializer_list<int> values) { return is_valid(bytes(values)); };
     CHECK(sound({1, 0, 0, 0, 8, 2, 5, 5}));
     CHECK_FALSE(sound({1, 0, 0, 0, 8, 2, 5}));
     CHECK_FALSE(sound({1, 0, 0, 0, 8, 2}));
@@ -192,7 +192,7 @@ TEST_CASE("a drawing that is cut or has bits without a meaning is not sound")
 TEST_CASE("a form elsewhere is there, and not elsewhere again")
 {
     const auto sound = [](int head, int offset) {
-        return is_sound(bytes({2, 0, 0, 0, 8, 2, 5, 5, 0, 0, head, offset, 0, 0}));
+        return is_valid(bytes({2, 0, 0, 0, 8, 2, 5, 5, 0, 0, head, offset, 0, 0}));
     };
     CHECK(sound(3, 3));
     CHECK(sound(0x0F, 3));
@@ -201,7 +201,7 @@ TEST_CASE("a form elsewhere is there, and not elsewhere again")
     CHECK_FALSE(sound(3, 10)); // itself
     CHECK_FALSE(sound(3, 13)); // cut
     CHECK_FALSE(sound(3, 14));
-    CHECK_FALSE(is_sound(bytes({1, 0, 0, 3, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F})));
+    CHECK_FALSE(is_valid(bytes({1, 0, 0, 3, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F})));
 }
 
 TEST_CASE("whatever the bytes are, they can be read as far as they are sound")
@@ -213,7 +213,7 @@ TEST_CASE("whatever the bytes are, they can be read as far as they are sound")
         for (std::byte& byte : bytes)
             byte = static_cast<std::byte>(random());
         bytes[0] = static_cast<std::byte>(random() % 3);
-        sound += is_sound(bytes) ? 1 : 0;
+        sound += is_valid(bytes) ? 1 : 0;
     }
     CHECK(sound > 1000);
 }

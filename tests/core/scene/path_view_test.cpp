@@ -134,7 +134,7 @@ TEST_CASE("a curve is followed by its parameter, within 3/65536 px, in its direc
 {
     std::mt19937 random{97};
     double worst = 0;
-    double most_turned = 0;
+    double max_turned = 0;
     for (int round = 0; round < 3000; ++round) {
         const scene::Point from = random_point(random);
         const scene::Point c1 = random_point(random);
@@ -146,10 +146,10 @@ TEST_CASE("a curve is followed by its parameter, within 3/65536 px, in its direc
         worst = std::max(worst, apart(path.at(share).at, exact.at(share)));
         const Spot slope = exact.slope(share);
         if (std::hypot(slope.x, slope.y) > 8)
-            most_turned = std::max(most_turned, std::abs(turn_between(path.at(share).direction, slope)));
+            max_turned = std::max(max_turned, std::abs(turn_between(path.at(share).direction, slope)));
     }
     CHECK(worst * 65536 < 3);
-    CHECK(most_turned < 2);
+    CHECK(max_turned < 2);
 }
 
 TEST_CASE("at the ends of a curve the direction is that of the next control point that lies elsewhere")

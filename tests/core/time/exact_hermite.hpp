@@ -11,7 +11,7 @@ namespace kfast::test {
 /// (v[i + 1] - v[i - 1]) / (t[i + 1] - t[i - 1]) at an inner key, 0 at both ends, held outside.
 class ExactHermite {
 public:
-    explicit ExactHermite(std::vector<KeyTime> keys) : keys_{std::move(keys)} {}
+    explicit ExactHermite(std::vector<KeySample> keys) : keys_{std::move(keys)} {}
 
     double at(Time time) const
     {
@@ -22,8 +22,8 @@ public:
             ++next;
         if (next == keys_.size())
             return keys_.back().value;
-        const KeyTime& from = keys_[next - 1];
-        const KeyTime& to = keys_[next];
+        const KeySample& from = keys_[next - 1];
+        const KeySample& to = keys_[next];
         const double way = double(to.time.ticks) - from.time.ticks;
         const double u = (double(time.ticks) - from.time.ticks) / way;
         return (1 + 2 * u) * (1 - u) * (1 - u) * from.value + u * (1 - u) * (1 - u) * way * slope(next - 1) +
@@ -35,12 +35,12 @@ private:
     {
         if (key == 0 || key + 1 == keys_.size())
             return 0;
-        const KeyTime& before = keys_[key - 1];
-        const KeyTime& after = keys_[key + 1];
+        const KeySample& before = keys_[key - 1];
+        const KeySample& after = keys_[key + 1];
         return (double(after.value) - before.value) / (double(after.time.ticks) - before.time.ticks);
     }
 
-    std::vector<KeyTime> keys_;
+    std::vector<KeySample> keys_;
 };
 
 }

@@ -16,21 +16,21 @@ namespace {
 constexpr std::int32_t latest = (1 << 30) - 1;
 
 /// Values 0 … range, whose key times are all different, in the order of their times.
-std::vector<KeyTime> random_keys(std::mt19937& random, std::int32_t range)
+std::vector<KeySample> random_keys(std::mt19937& random, std::int32_t range)
 {
-    std::vector<KeyTime> keys(1 + random() % 12);
+    std::vector<KeySample> keys(1 + random() % 12);
     Time time{static_cast<std::int32_t>(random() % 100'000) - 50'000};
-    for (KeyTime& key : keys) {
+    for (KeySample& key : keys) {
         key = {time, static_cast<std::int32_t>(random() % static_cast<unsigned>(range + 1))};
         time.ticks += 1 + static_cast<std::int32_t>(random() % 40'000);
     }
     return keys;
 }
 
-void add_all(Track& track, std::vector<KeyTime> keys, std::mt19937& random)
+void add_all(Track& track, std::vector<KeySample> keys, std::mt19937& random)
 {
     std::ranges::shuffle(keys, random);
-    for (const KeyTime& key : keys)
+    for (const KeySample& key : keys)
         REQUIRE(track.add(key.time, key.value));
 }
 
@@ -38,7 +38,7 @@ void add_all(Track& track, std::vector<KeyTime> keys, std::mt19937& random)
 
 TEST_CASE("a track without key times is 0 everywhere")
 {
-    std::array<KeyTime, 4> storage{KeyTime{{5}, 6}};
+    std::array<KeySample, 4> storage{KeySample{{5}, 6}};
     const Track track{storage};
     CHECK(track.count() == 0);
     CHECK(track.keys().empty());
@@ -47,21 +47,21 @@ TEST_CASE("a track without key times is 0 everywhere")
 
 TEST_CASE("key times may come in any order and lie in the order of their times")
 {
-    std::array<KeyTime, 8> storage;
+    std::array<KeySample, 8> storage;
     Track track{storage};
     for (const int frame : {30, 0, 20, -7, 10})
         CHECK(track.add(Time::frame(frame), frame + 100));
     CHECK(track.count() == 5);
     CHECK(track.first_time() == Time::frame(-7));
     CHECK(track.last_time() == Time::frame(30));
-    CHECK(std::ranges::is_sorted(track.keys(), {}, &KeyTime::time));
-    for (const KeyTime& key : track.keys())
+    CHECK(std::ranges::is_sorted(track.keys(), {}, &KeySample::time));
+    for (const KeySample& key : track.keys())
         CHECK(track.value_at(key.time) == (key.time.ticks / 1024 + 100) * 256);
 }
 
 TEST_CASE("a key time that is there already gets the new value")
 {
-    std::array<KeyTime, 3> storage;
+    std::array<KeySample, 3> storage;
     Track track{storage};
     for (const int frame : {0, 1, 2})
         track.add(Time::frame(frame), frame);
@@ -73,7 +73,7 @@ TEST_CASE("a key time that is there already gets the new value")
 
 TEST_CASE("a full array takes no more, and is left as it was")
 {
-    std::array<KeyTime, 2> storage;
+    std::array<KeySample, 2> storage;
     Track track{storage};
     CHECK(track.add({0}, 1));
     CHECK(track.add({10}, 2));
@@ -84,19 +84,19 @@ TEST_CASE("a full array takes no more, and is left as it was")
     CHECK(track.last_time() == Time{10});
     CHECK(track.value_at({0}) == 256);
     CHECK(track.value_at({10}) == 512);
-    Track none{std::span<KeyTime>{}};
+    Track none{std::span<KeySample>{}};
     CHECK_FALSE(none.add({0}, 1));
     CHECK(none.value_at({0}) == 0);
 }
 
 TEST_CASE("times and values out of range are refused")
 {
-    std::array<KeyTime, 8> storage;
+    std::array<KeySample, 8> storage;
     Track track{storage};
-    constexpr auto least = std::numeric_limits<std::int32_t>::min();
-    for (const int ticks : {latest + 1, -latest - 1, least, std::numeric_limits<std::int32_t>::max()})
+    constexpr auto min = std::numeric_limits<std::int32_t>::min();
+    for (const int ticks : {latest + 1, -latest - 1, min, std::numeric_limits<std::int32_t>::max()})
         CHECK_FALSE(track.add({ticks}, 0));
-    for (const int value : {(1 << 20) + 1, -(1 << 20) - 1, least})
+    for (const int value : {(1 << 20) + 1, -(1 << 20) - 1, min})
         CHECK_FALSE(track.add({0}, value));
     CHECK(track.count() == 0);
     CHECK(track.add({-latest}, 1 << 20));
@@ -107,7 +107,7 @@ TEST_CASE("times and values out of range are refused")
 
 TEST_CASE("outside of its key times a track is held, at any time")
 {
-    std::array<KeyTime, 3> storage;
+    std::array<KeySample, 3> storage;
     Track track{storage};
     track.add(Time::frame(4), -7);
     CHECK(track.value_at(Time::frame(9)) == -7 * 256);
@@ -120,7 +120,7 @@ TEST_CASE("outside of its key times a track is held, at any time")
 
 TEST_CASE("a track that has been cleared can be filled again")
 {
-    std::array<KeyTime, 2> storage;
+    std::array<KeySample, 2> storage;
     Track track{storage};
     track.add({1}, 1);
     track.add({2}, 2);
@@ -134,7 +134,7 @@ TEST_CASE("a track that has been cleared can be filled again")
 
 TEST_CASE("the example of the header")
 {
-    std::array<KeyTime, 8> keys;
+    std::array<KeySample, 8> keys;
     Track height{keys};
     height.add(Time::frame(30), 200);
     height.add(Time::frame(0), 40);
@@ -148,8 +148,8 @@ TEST_CASE("any track is within 1/1000 of the range of its values of the exact cu
     double worst = 0;
     for (int round = 0; round < 3000; ++round) {
         const std::int32_t range = 1 << (3 + round % 18);
-        const std::vector<KeyTime> keys = random_keys(random, range);
-        std::array<KeyTime, 12> storage;
+        const std::vector<KeySample> keys = random_keys(random, range);
+        std::array<KeySample, 12> storage;
         Track track{storage};
         add_all(track, keys, random);
         const ExactHermite exact{keys};

@@ -72,15 +72,15 @@ double bezier_error(const VelocityLaw& law, std::uint32_t time, double slack)
 {
     const double begin = parameter_at(law, time - slack);
     const double end = parameter_at(law, time + slack);
-    double least = 1e9;
-    double most = -1e9;
+    double min = 1e9;
+    double max = -1e9;
     for (int i = 0; i <= 4; ++i) {
         const double value = value_at(law, begin + (end - begin) * i / 4);
-        least = std::min(least, value);
-        most = std::max(most, value);
+        min = std::min(min, value);
+        max = std::max(max, value);
     }
     const double way = progress(law, {time}).raw;
-    return std::max(least - way, way - most);
+    return std::max(min - way, way - max);
 }
 
 double worst_bezier_error(const VelocityLaw& law, double slack)
@@ -105,16 +105,16 @@ void check_ends(const VelocityLaw& law)
     CHECK(progress(law, {Share::one}).raw == Way::one);
 }
 
-VelocityLaw random_bezier(std::mt19937& random, int least_y, int most_y)
+VelocityLaw random_bezier(std::mt19937& random, int min_y, int max_y)
 {
     const auto between = [&random](int low, int high) {
         return static_cast<std::int16_t>(low + static_cast<int>(random() % unsigned(high - low + 1)));
     };
     VelocityLaw law{.kind = Kind::bezier};
     law.x1 = between(0, 8192);
-    law.y1 = between(least_y, most_y);
+    law.y1 = between(min_y, max_y);
     law.x2 = between(0, 8192);
-    law.y2 = between(least_y, most_y);
+    law.y2 = between(min_y, max_y);
     return law;
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("any bezier keeps its precision and its range")
         for (int moment = 0; moment < 20; ++moment) {
             const auto time = static_cast<std::uint32_t>(random() % 65537);
             REQUIRE(bezier_error(law, time, 0.1) <= 0.6);
-            REQUIRE(progress(law, {time}) >= range.least);
-            REQUIRE(progress(law, {time}) <= range.most);
+            REQUIRE(progress(law, {time}) >= range.min);
+            REQUIRE(progress(law, {time}) <= range.max);
         }
     }
 }
@@ -251,9 +251,9 @@ TEST_CASE("a law is valid when its parameters are in their ranges")
 
 TEST_CASE("the way leaves 0 … 1 no further than three quarters of what the control points do")
 {
-    const auto range_is = [](const VelocityLaw& law, double least, double most) {
+    const auto range_is = [](const VelocityLaw& law, double min, double max) {
         const WayRange range = way_range(law);
-        return range.least.raw == least * 65536 && range.most.raw == most * 65536;
+        return range.min.raw == min * 65536 && range.max.raw == max * 65536;
     };
     CHECK(range_is(VelocityLaw::constant, 0, 1));
     CHECK(range_is(VelocityLaw::in_steps(4), 0, 1));

@@ -21,7 +21,7 @@ struct Memory {
     Memory() { std::iota(bytes.begin(), bytes.end(), static_cast<unsigned char>(1)); }
 };
 
-constexpr std::size_t most = 40;
+constexpr std::size_t max = 40;
 
 }
 
@@ -29,7 +29,7 @@ TEST_CASE("bytes are copied from any place to any other, as many as told")
 {
     for (std::size_t to = 0; to < 4; ++to)
         for (std::size_t from = 0; from < 4; ++from)
-            for (std::size_t count = 0; count <= most; ++count) {
+            for (std::size_t count = 0; count <= max; ++count) {
                 const Memory source;
                 Memory target;
                 Memory expected;
@@ -45,7 +45,7 @@ TEST_CASE("bytes are moved onto themselves, up and down")
 {
     for (std::size_t to = 0; to < 20; ++to)
         for (std::size_t from = 0; from < 20; ++from)
-            for (std::size_t count = 0; count <= most; ++count) {
+            for (std::size_t count = 0; count <= max; ++count) {
                 const Memory before;
                 Memory memory;
                 Memory expected;
@@ -58,7 +58,7 @@ TEST_CASE("bytes are moved onto themselves, up and down")
 TEST_CASE("any stretch of bytes is set, and nothing else")
 {
     for (std::size_t to = 0; to < 4; ++to)
-        for (std::size_t count = 0; count <= most; ++count) {
+        for (std::size_t count = 0; count <= max; ++count) {
             Memory memory;
             Memory expected;
             std::fill_n(expected.bytes.begin() + to, count, static_cast<unsigned char>(0xAB));

@@ -40,10 +40,10 @@ struct PlotBench : LinkBench {
     using LinkBench::send;
 };
 
-ToldDrawing some_drawing(std::size_t strokes, std::size_t points, unsigned seed)
+ReceivedDrawing some_drawing(std::size_t strokes, std::size_t points, unsigned seed)
 {
     std::mt19937 random{seed};
-    ToldDrawing drawing(strokes);
+    ReceivedDrawing drawing(strokes);
     for (std::size_t i = 0; i < points; ++i) {
         const auto coordinate = [&] { return static_cast<std::int16_t>(random() % 65535 - 32767); };
         const std::int16_t x = coordinate();
@@ -52,7 +52,7 @@ ToldDrawing some_drawing(std::size_t strokes, std::size_t points, unsigned seed)
     return drawing;
 }
 
-const ToldDrawing usual{{{0, 0}, {160, 160}}};
+const ReceivedDrawing default_value{{{0, 0}, {160, 160}}};
 
 }
 
@@ -75,11 +75,11 @@ TEST_CASE("a drawing comes in as many reports as its points need, and in no more
 TEST_CASE("a drawing is shown when its last report has come, without a word in return")
 {
     PlotBench bench;
-    CHECK(bench.device.drawing(1) == usual);
+    CHECK(bench.device.drawing(1) == default_value);
     std::uint8_t number = 0;
     for (const std::size_t points : {200U, 3U, 15U, 14U, 29U, 30U, 199U, 1U}) {
-        const ToldDrawing drawing = some_drawing(points == 199 ? 3 : 1, points, 2);
-        const ToldDrawing before = bench.device.drawing(1);
+        const ReceivedDrawing drawing = some_drawing(points == 199 ? 3 : 1, points, 2);
+        const ReceivedDrawing before = bench.device.drawing(1);
         auto reports = drawing_reports(drawing, 1, number++);
         const Report last = reports.back();
         reports.pop_back();
@@ -96,8 +96,8 @@ TEST_CASE("a drawing is shown when its last report has come, without a word in r
 TEST_CASE("drawings of several inputs may come at once, also such with more than 256 reports")
 {
     PlotBench bench;
-    const ToldDrawing small = some_drawing(3, 60, 3);
-    const ToldDrawing large = some_drawing(2000, 4000, 4);
+    const ReceivedDrawing small = some_drawing(3, 60, 3);
+    const ReceivedDrawing large = some_drawing(2000, 4000, 4);
     const auto of_small = drawing_reports(small, 1, 5);
     const auto of_large = drawing_reports(large, 2, 5);
     REQUIRE(of_large.size() > 256);
@@ -114,7 +114,7 @@ TEST_CASE("drawings of several inputs may come at once, also such with more than
 TEST_CASE(
     "a drawing with a report that is lost, repeated or out of its order is dropped, and that is told once")
 {
-    const ToldDrawing drawing = some_drawing(1, 70, 5); // in five reports
+    const ReceivedDrawing drawing = some_drawing(1, 70, 5); // in five reports
     const auto whole = drawing_reports(drawing, 1, 1);
     REQUIRE(whole.size() == 5);
     for (std::size_t at = 0; at + 1 < whole.size(); ++at)
@@ -131,7 +131,7 @@ TEST_CASE(
             else
                 std::iter_swap(place, place + 1);
             bench.send(reports);
-            CHECK(bench.device.drawing(1) == usual);
+            CHECK(bench.device.drawing(1) == default_value);
             CHECK(bench.last_failure().status == Status::drawing_broken);
             CHECK_FALSE(bench.link.has_report());
             bench.send(drawing_reports(drawing, 1, 2));
@@ -145,7 +145,7 @@ TEST_CASE("parts of different drawings are not put together")
     const auto first = drawing_reports(some_drawing(1, 70, 6), 1, 1);
     const auto second = drawing_reports(some_drawing(1, 70, 7), 1, 2);
     bench.send({first[0], first[1], second[2], second[3], second[4]});
-    CHECK(bench.device.drawing(1) == usual);
+    CHECK(bench.device.drawing(1) == default_value);
     bench.send({first[0], first[1], first[2]});
     bench.send(second); // begins anew
     CHECK(bench.device.drawing(1) == some_drawing(1, 70, 7));
@@ -158,7 +158,7 @@ TEST_CASE("a drawing that was begun in a scene is not ended in another one")
     bench.send({reports[0], reports[1], reports[2]});
     REQUIRE(bench.does(Play{.home = Home::here}));
     bench.send({reports[3], reports[4]});
-    CHECK(bench.device.drawing(1) == usual);
+    CHECK(bench.device.drawing(1) == default_value);
 }
 
 TEST_CASE("what an input does not take is refused, and what it shows stays")
@@ -168,7 +168,7 @@ TEST_CASE("what an input does not take is refused, and what it shows stays")
     CHECK(bench.last_failure().status == Status::drawing_large);
     bench.send(drawing_reports(some_drawing(4, 8, 9), 1, 1));
     CHECK(bench.last_failure().status == Status::drawing_large);
-    CHECK(bench.device.drawing(1) == usual);
+    CHECK(bench.device.drawing(1) == default_value);
     bench.send(drawing_reports({}, 0, 1));
     CHECK(bench.last_failure() == Verdict{Status::no_drawing});
     bench.send(drawing_reports({}, 3, 1));
@@ -182,14 +182,14 @@ TEST_CASE("whatever gets lost on the way, only whole drawings are shown")
 {
     PlotBench bench;
     std::mt19937 random{10};
-    std::vector<ToldDrawing> sent{usual};
+    std::vector<ReceivedDrawing> sent{default_value};
     std::size_t shown = 0;
     for (unsigned frame = 0; frame < 400; ++frame) {
         sent.push_back(some_drawing(1 + frame % 3, 3 + random() % 190, frame));
         for (const Report& report : drawing_reports(sent.back(), 1, static_cast<std::uint8_t>(frame)))
             for (auto times = random() % 30 == 0 ? random() % 3 : 1U; times > 0; --times)
                 bench.send({report});
-        const ToldDrawing now = bench.device.drawing(1);
+        const ReceivedDrawing now = bench.device.drawing(1);
         const auto which = std::ranges::find(sent, now);
         REQUIRE(which != sent.end());
         const auto place = static_cast<std::size_t>(which - sent.begin());

@@ -67,7 +67,7 @@ struct LinkBench {
     }
 
     void send_blocks(std::span<const std::byte> scene, std::uint8_t tag, std::size_t first = 0,
-                     std::size_t count = link::most_blocks)
+                     std::size_t count = link::max_blocks)
     {
         const std::size_t end = std::min<std::size_t>(first + count, link::blocks_of(size_of(scene)));
         for (std::size_t number = first; number < end; ++number)

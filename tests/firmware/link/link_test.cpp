@@ -175,11 +175,11 @@ TEST_CASE("a text is as long as it says, and for an input that is one")
     text.length = 0;
     CHECK(bench.does(text));
     CHECK(bench.device.texts[1].empty());
-    text.length = Text::most;
+    text.length = Text::max;
     CHECK(bench.does(text));
     CHECK(bench.device.texts[1].size() == 60);
 
-    text.length = Text::most + 1;
+    text.length = Text::max + 1;
     CHECK(bench.refusal(text) == Verdict{Status::bad_value});
     CHECK(bench.device.texts[1].size() == 60);
     text = {.input = 2, .length = 0};

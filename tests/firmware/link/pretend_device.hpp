@@ -4,8 +4,8 @@
 #include "core/scene/scene_view.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/input_message.hpp"
-#include "firmware/link/told_drawing.hpp"
-#include "host/player/told_drawing.hpp"
+#include "firmware/link/received_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,8 +43,8 @@ public:
         const auto found = inputs.find(number);
         return {.input = number,
                 .name = {"gaze"},
-                .least = -1000,
-                .most = 1000,
+                .min = -1000,
+                .max = 1000,
                 .place = found == inputs.end() ? Time{} : found->second};
     }
 
@@ -128,7 +128,7 @@ public:
     }
 
     /// What an input shows.
-    ToldDrawing drawing(std::uint32_t input) const { return told_drawing(player->drawing(input)); }
+    ReceivedDrawing drawing(std::uint32_t input) const { return received_drawing(player->drawing(input)); }
 
     link::Name start_clip;
     static constexpr std::uint32_t ram_bytes = 20'000;

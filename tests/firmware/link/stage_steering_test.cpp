@@ -60,9 +60,9 @@ TEST_CASE("inputs stand where the computer says, and it is told where")
     bench.board.run_for(200);
     auto gaze = bench.ask<InputState>(AskInput{.input = 0});
     CHECK(gaze.name.view() == "gaze");
-    CHECK(gaze.least == -1000);
-    CHECK(gaze.most == 1000);
-    CHECK(gaze.usual == 0);
+    CHECK(gaze.min == -1000);
+    CHECK(gaze.max == 1000);
+    CHECK(gaze.default_value == 0);
     CHECK(gaze.place == Time{32768});
     CHECK(bench.ask<InputState>(AskInput{.input = 1}).name.view() == "lid");
     Inputs inputs{.count = 1};

@@ -22,7 +22,7 @@ TEST_CASE("a text is what the computer told last, until another scene plays")
     const auto state = bench.ask<InputState>(AskInput{.input = 1});
     CHECK(state.takes == InputKind::text);
     CHECK(state.name.view() == "t");
-    CHECK(state.most == 3);
+    CHECK(state.max == 3);
     const auto picture = [&bench] {
         const auto bytes = bench.board.panel().picture();
         return std::vector(bytes.begin(), bytes.end());
@@ -32,22 +32,22 @@ TEST_CASE("a text is what the computer told last, until another scene plays")
         std::ranges::copy(std::as_bytes(std::span{words}), text.bytes.begin());
         bench.does(text);
     };
-    const auto usual = picture();
+    const auto default_value = picture();
     tell("12");
     bench.board.run_for(100);
     const auto told = picture();
-    CHECK(told != usual);
+    CHECK(told != default_value);
     tell("9");
     tell("7");
     bench.board.run_for(100);
-    CHECK(picture() == usual);
+    CHECK(picture() == default_value);
     tell("12");
     bench.board.run_for(100);
     CHECK(picture() == told);
     CHECK(bench.refusal(Text{.input = 0}) == Verdict{Status::no_text});
     bench.does(Play{.home = Home::start});
     bench.board.run_for(100);
-    CHECK(picture() == usual);
+    CHECK(picture() == default_value);
 }
 
 TEST_CASE("drawings are shown in the frame after their last report, whole and nothing else")
@@ -65,7 +65,7 @@ TEST_CASE("drawings are shown in the frame after their last report, whole and no
     CHECK(state.takes == InputKind::drawing);
     std::mt19937 random{3};
     for (std::uint8_t number = 0; number < 40; ++number) {
-        ToldDrawing drawing(1);
+        ReceivedDrawing drawing(1);
         for (auto points = random() % 34; points > 0; --points) {
             const auto x = static_cast<std::int16_t>(random() % 300);
             drawing[0].push_back({x, static_cast<std::int16_t>(random() % 150)});

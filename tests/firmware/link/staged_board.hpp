@@ -4,7 +4,7 @@
 #include "firmware/link/stage.hpp"
 #include "firmware/run/panel_mirror.hpp"
 #include "firmware/run/run.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 #include "host/text/utf8.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
@@ -116,7 +116,7 @@ public:
         ++scenes_begun;
         begun_at = now_;
     }
-    void plays(LiveScene* player)
+    void plays(SceneState* player)
     {
         player_ = player;
         stage_->plays(player);
@@ -147,7 +147,7 @@ public:
 
     const Scene& scene_begun() const { return shown_; }
     /// That the last frame showed.
-    const ToldDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
+    const ReceivedDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
 
     BoardSettings settings;
     Scene built_in;
@@ -207,7 +207,7 @@ private:
         for (std::uint32_t input = 0; input < player_->scene().input_count(); ++input) {
             const InputView view = player_->scene().input(input);
             if (view.type == InputType::drawing)
-                drawings_[input] = told_drawing(player_->drawing(input));
+                drawings_[input] = received_drawing(player_->drawing(input));
             else if (view.type == InputType::text)
                 for (const std::byte glyph : player_->text(input))
                     append_utf8(texts_[input],
@@ -246,8 +246,8 @@ private:
     std::optional<Conversation> conversation_;
     Scene shown_;
     std::vector<PlacedInput> placed_;
-    std::map<std::uint32_t, ToldDrawing> drawings_;
-    LiveScene* player_ = nullptr;
+    std::map<std::uint32_t, ReceivedDrawing> drawings_;
+    SceneState* player_ = nullptr;
     std::map<std::uint32_t, std::string> texts_;
     TakingTurns life_{[this] { run_stage(*this); }};
 };
@@ -256,6 +256,6 @@ static_assert(ChangingBoard<StagedBoard>);
 static_assert(InputBoard<StagedBoard>);
 static_assert(RestingBoard<StagedBoard>);
 static_assert(ListeningBoard<StagedBoard>);
-static_assert(ToldBoard<StagedBoard>);
+static_assert(LiveInputBoard<StagedBoard>);
 
 }

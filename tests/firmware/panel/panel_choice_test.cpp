@@ -46,9 +46,9 @@ bool tells(Controller controller, std::string_view line)
 {
     bool found = false;
     for (const ControllerFacts& facts : controller_facts) {
-        const auto lines = used(facts.usual).started;
+        const auto lines = used(facts.default_value).started;
         const bool has = std::ranges::find(lines, line) != lines.end();
-        if (has && facts.usual.controller != controller)
+        if (has && facts.default_value.controller != controller)
             return false;
         found = found || has;
     }
@@ -71,10 +71,10 @@ TEST_CASE("every controller is driven by its own start-up")
 TEST_CASE("every driver is used once, and is what is known of its controller")
 {
     for (const ControllerFacts& facts : controller_facts) {
-        CAPTURE(controller_names[static_cast<std::size_t>(facts.usual.controller)]);
-        const Used it = used(facts.usual);
+        CAPTURE(controller_names[static_cast<std::size_t>(facts.default_value.controller)]);
+        const Used it = used(facts.default_value);
         CHECK(it.times == 1);
-        CHECK(it.size == facts.usual.glass);
+        CHECK(it.size == facts.default_value.glass);
         CHECK(it.window_bytes == facts.window_bytes);
         CHECK(it.format == (facts.format == PixelFormat::rgb565 ? PixelFormat::rgb565_be : facts.format));
     }
@@ -84,7 +84,7 @@ TEST_CASE("the controllers that follow MIPI DCS share one driver")
 {
     int followers = 0;
     for (const ControllerFacts& facts : controller_facts)
-        followers += used(facts.usual).follows_dcs ? 1 : 0;
+        followers += used(facts.default_value).follows_dcs ? 1 : 0;
     CHECK(followers == 4);
 }
 

@@ -15,14 +15,14 @@ static_assert(LightedPanel<Ssd0323<RecordedBus>>);
 
 namespace {
 
-constexpr PanelSettings usual = facts_of(Controller::ssd0323).usual;
+constexpr PanelSettings default_value = facts_of(Controller::ssd0323).default_value;
 
 }
 
 TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus, usual};
+    Ssd0323 panel{bus, default_value};
     panel.begin([&bus](Microseconds time) {
         CHECK(bus.sent.empty());
         CHECK(time == Microseconds{10'000});
@@ -41,7 +41,7 @@ TEST_CASE("SSD0323: the start-up sequence, byte by byte, all of it with D/C low"
 TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C low, pixels with D/C high")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus, usual};
+    Ssd0323 panel{bus, default_value};
     const auto pixels = bytes({0x12, 0x34, 0x56, 0x78});
     panel.start({.x = 32, .y = 24, .width = 4, .height = 2}, pixels);
     CHECK(bus.sent == std::vector<RecordedBus::Transfer>{
@@ -54,7 +54,7 @@ TEST_CASE("SSD0323: a window counts columns in bytes; its parameters go with D/C
 TEST_CASE("SSD0323: the whole panel is columns 0 to 63 and rows 0 to 63")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus, usual};
+    Ssd0323 panel{bus, default_value};
     panel.start({.x = 0, .y = 0, .width = 128, .height = 64}, {});
     REQUIRE(bus.sent.size() == 3);
     CHECK(bus.sent[0].bytes == bytes({0x15, 0, 63}));
@@ -64,7 +64,7 @@ TEST_CASE("SSD0323: the whole panel is columns 0 to 63 and rows 0 to 63")
 TEST_CASE("SSD0323: the panel is busy as long as the bus is")
 {
     RecordedBus bus;
-    Ssd0323 panel{bus, usual};
+    Ssd0323 panel{bus, default_value};
     CHECK_FALSE(panel.busy());
     bus.is_busy = true;
     CHECK(panel.busy());
@@ -72,7 +72,7 @@ TEST_CASE("SSD0323: the panel is busy as long as the bus is")
 
 TEST_CASE("SSD0323: the settings in the start-up")
 {
-    PanelSettings settings = usual;
+    PanelSettings settings = default_value;
     settings.rotation = Rotation::half;
     settings.inverted = true;
     settings.brightness = 128;
@@ -115,7 +115,7 @@ TEST_CASE("SSD0323: a glass beside the middle is counted from the other side whe
 TEST_CASE("SSD0323: brightness and sleep; waking leaves it dark")
 {
     TellingBus bus;
-    Ssd0323 panel{bus, usual};
+    Ssd0323 panel{bus, default_value};
     panel.set_brightness(255);
     panel.set_brightness(0);
     panel.sleep(bus.pause());

@@ -18,7 +18,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr PanelSettings usual = facts_of(Controller::ssd1306).usual;
+constexpr PanelSettings default_value = facts_of(Controller::ssd1306).default_value;
 
 Lines begun(const PanelSettings& settings)
 {
@@ -30,7 +30,7 @@ Lines begun(const PanelSettings& settings)
 /// What of the start-up differs from that of the usual glass.
 Lines difference(const PanelSettings& settings)
 {
-    const Lines was = begun(usual);
+    const Lines was = begun(default_value);
     Lines is = begun(settings);
     std::erase_if(is, [&was](const auto& line) { return std::ranges::count(was, line) != 0; });
     return is;
@@ -47,31 +47,31 @@ Lines window(const PanelSettings& settings, Rect area)
 
 TEST_CASE("SSD1306: the start-up of the usual glass, byte by byte, all of it with D/C low")
 {
-    CHECK(begun(usual) == Lines{
-                              "pause 10000",
-                              "command AE",
-                              "command D5 80",
-                              "command D3 00",
-                              "command 40",
-                              "command 8D 14",
-                              "command 20 00",
-                              "command D9 F1",
-                              "command DB 40",
-                              "command 2E",
-                              "command A4",
-                              "command A8 3F",
-                              "command A1",
-                              "command C8",
-                              "command DA 12",
-                              "command A6",
-                              "command 81 FF",
-                          });
+    CHECK(begun(default_value) == Lines{
+                                      "pause 10000",
+                                      "command AE",
+                                      "command D5 80",
+                                      "command D3 00",
+                                      "command 40",
+                                      "command 8D 14",
+                                      "command 20 00",
+                                      "command D9 F1",
+                                      "command DB 40",
+                                      "command 2E",
+                                      "command A4",
+                                      "command A8 3F",
+                                      "command A1",
+                                      "command C8",
+                                      "command DA 12",
+                                      "command A6",
+                                      "command 81 FF",
+                                  });
 }
 
 TEST_CASE("SSD1306: the settings in the start-up")
 {
     const auto with = [](auto change) {
-        PanelSettings settings = usual;
+        PanelSettings settings = default_value;
         change(settings);
         return difference(settings);
     };
@@ -85,8 +85,8 @@ TEST_CASE("SSD1306: the settings in the start-up")
 
 TEST_CASE("SSD1306: a window is columns and pages, their arguments with D/C low")
 {
-    CHECK(window(usual, {0, 0, 128, 64}) == Lines{"command 21 00 7F", "command 22 00 07", "pixels"});
-    CHECK(window(usual, {24, 40, 16, 8}) == Lines{"command 21 18 27", "command 22 05 05", "pixels"});
+    CHECK(window(default_value, {0, 0, 128, 64}) == Lines{"command 21 00 7F", "command 22 00 07", "pixels"});
+    CHECK(window(default_value, {24, 40, 16, 8}) == Lines{"command 21 18 27", "command 22 05 05", "pixels"});
 }
 
 TEST_CASE("SSD1306: a glass beside the middle is counted from the other side when it is turned by half")
@@ -100,7 +100,7 @@ TEST_CASE("SSD1306: a glass beside the middle is counted from the other side whe
 TEST_CASE("SSD1306: rows of pixels are sent as pages, from memory of the panel's own")
 {
     TellingBus bus;
-    Ssd1306 panel{bus, usual};
+    Ssd1306 panel{bus, default_value};
     // A staircase down to the right, and beside it a row on the floor.
     panel.start({8, 8, 16, 8},
                 bytes({0x80, 0, 0x40, 0, 0x20, 0, 0x10, 0, 0x08, 0, 0x04, 0, 0x02, 0, 0x01, 0xFF}));
@@ -114,7 +114,7 @@ TEST_CASE("SSD1306: rows of pixels are sent as pages, from memory of the panel's
 TEST_CASE("SSD1306: the whole picture is a kilobyte, page by page")
 {
     TellingBus bus;
-    Ssd1306 panel{bus, usual};
+    Ssd1306 panel{bus, default_value};
     std::vector<std::byte> rows(1024);
     std::fill_n(rows.begin() + 63 * 16, 16, std::byte{0xFF}); // the lowest row
     panel.start({0, 0, 128, 64}, rows);
@@ -127,14 +127,14 @@ TEST_CASE("SSD1306: the whole picture is a kilobyte, page by page")
 TEST_CASE("SSD1306: it stays dark until it is lit")
 {
     TellingBus bus;
-    Ssd1306{bus, usual}.light();
+    Ssd1306{bus, default_value}.light();
     CHECK(bus.lines == Lines{"command AF"});
 }
 
 TEST_CASE("SSD1306: asleep the charge pump stands still as well")
 {
     TellingBus bus;
-    Ssd1306 panel{bus, usual};
+    Ssd1306 panel{bus, default_value};
     panel.set_brightness(7);
     panel.sleep(bus.pause());
     panel.wake(bus.pause());

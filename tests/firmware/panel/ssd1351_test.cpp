@@ -19,11 +19,11 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr PanelSettings usual = facts_of(Controller::ssd1351).usual;
+constexpr PanelSettings default_value = facts_of(Controller::ssd1351).default_value;
 
 std::string remap(Rotation rotation, bool bgr)
 {
-    PanelSettings settings = usual;
+    PanelSettings settings = default_value;
     settings.rotation = rotation;
     settings.bgr = bgr;
     TellingBus bus;
@@ -48,7 +48,7 @@ Lines window(Rotation rotation, int row)
 TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments with D/C high")
 {
     TellingBus bus;
-    Ssd1351{bus, usual}.begin(bus.pause());
+    Ssd1351{bus, default_value}.begin(bus.pause());
     CHECK(bus.lines == Lines{
                            "pause 10000",
                            "command FD | 12",
@@ -83,7 +83,7 @@ TEST_CASE("SSD1351: rotation and order of colours are bits of the remap")
 
 TEST_CASE("SSD1351: an inverted glass is inverted again")
 {
-    PanelSettings settings = usual;
+    PanelSettings settings = default_value;
     settings.inverted = true;
     TellingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
@@ -92,7 +92,7 @@ TEST_CASE("SSD1351: an inverted glass is inverted again")
 
 TEST_CASE("SSD1351: rows below the glass are not scanned")
 {
-    PanelSettings settings = usual;
+    PanelSettings settings = default_value;
     settings.glass = {128, 96};
     const auto rows = [&settings] {
         TellingBus bus;
@@ -120,7 +120,7 @@ TEST_CASE("SSD1351: columns and rows of a window are those of the glass, also if
 TEST_CASE("SSD1351: the window is sent again even if it is the same")
 {
     TellingBus bus;
-    Ssd1351 panel{bus, usual};
+    Ssd1351 panel{bus, default_value};
     panel.start({0, 0, 128, 128}, {});
     panel.start({0, 0, 128, 128}, {});
     const Lines once{"command 15 | 00 7F", "command 75 | 00 7F", "command 5C", "pixels"};
@@ -133,17 +133,17 @@ TEST_CASE("SSD1351: pixels go as words if the bus has any, as bytes otherwise")
 {
     const auto pixels = bytes({0x12, 0x34});
     TellingBus byte_bus;
-    Ssd1351{byte_bus, usual}.start({0, 0, 1, 1}, pixels);
+    Ssd1351{byte_bus, default_value}.start({0, 0, 1, 1}, pixels);
     CHECK(byte_bus.lines.back() == "pixels 12 34");
     TellingWordBus word_bus;
-    Ssd1351{word_bus, usual}.start({0, 0, 1, 1}, pixels);
+    Ssd1351{word_bus, default_value}.start({0, 0, 1, 1}, pixels);
     CHECK(word_bus.lines.back() == "words 12 34");
 }
 
 TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off, and waking leaves it off")
 {
     TellingBus bus;
-    Ssd1351 panel{bus, usual};
+    Ssd1351 panel{bus, default_value};
     panel.set_brightness(128);
     panel.set_brightness(0);
     panel.sleep(bus.pause());

@@ -12,7 +12,7 @@ namespace kfast::test {
 TEST_CASE("ST7735: the start-up of the usual glass, byte by byte")
 {
     TellingBus bus;
-    DcsPanel{bus, facts_of(Controller::st7735).usual, st7735}.begin(bus.pause());
+    DcsPanel{bus, facts_of(Controller::st7735).default_value, st7735}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
                            "pause 120000",
                            "command 01",

@@ -51,7 +51,7 @@ BoardSettings beam_settings()
                      .arrival_dwell = 6,
                      .leave_dwell = 3,
                      .light_delay = 4,
-                     .least_refresh = 20,
+                     .min_refresh = 20,
                      .resolution = 4096,
                      .brightness = BeamBrightness::by_speed,
                      .park = {-32768, 32767},

@@ -12,7 +12,7 @@ namespace {
 constexpr BoardSettings spi_settings()
 {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::st7789).usual;
+    settings.panel = facts_of(Controller::st7789).default_value;
     settings.bus = BusKind::spi;
     settings.bus_clock = 62'500'000;
     settings.pin(PinRole::clock) = 18;
@@ -26,7 +26,7 @@ constexpr BoardSettings spi_settings()
 constexpr BoardSettings i2c_settings()
 {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::ssd1306).usual;
+    settings.panel = facts_of(Controller::ssd1306).default_value;
     settings.bus = BusKind::i2c;
     settings.bus_clock = 400'000;
     settings.pin(PinRole::data) = 4;
@@ -37,7 +37,7 @@ constexpr BoardSettings i2c_settings()
 constexpr BoardSettings parallel_settings()
 {
     BoardSettings settings;
-    settings.panel = facts_of(Controller::ili9341).usual;
+    settings.panel = facts_of(Controller::ili9341).default_value;
     settings.bus = BusKind::parallel_8;
     settings.bus_clock = 15'150'000;
     settings.pin(PinRole::data) = 0;
@@ -110,7 +110,7 @@ TEST_CASE("texts stand in the order of the faults that they name")
 TEST_CASE("a controller that does not speak the bus is refused")
 {
     BoardSettings settings = parallel_settings();
-    settings.panel = facts_of(Controller::gc9a01).usual;
+    settings.panel = facts_of(Controller::gc9a01).default_value;
     check_mistake(settings, {SettingsFault::bus_not_taken});
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("a glass whose pixels share bytes begins and ends with whole bytes")
     settings.panel.glass = {72, 39};
     check_mistake(settings, {SettingsFault::glass_ragged});
     settings = spi_settings();
-    settings.panel = facts_of(Controller::ssd0323).usual;
+    settings.panel = facts_of(Controller::ssd0323).default_value;
     settings.panel.glass = {126, 63};
     settings.panel.column = 1;
     check_mistake(settings, {SettingsFault::glass_ragged});
@@ -358,7 +358,7 @@ TEST_CASE("a beam's profile keeps its limits")
     check_refused([](BeamProfile& beam) { beam.rate = 999; });
     check_refused([](BeamProfile& beam) { beam.rate = 1'000'001; });
     check_refused([](BeamProfile& beam) { beam.lit_step = 0; });
-    check_refused([](BeamProfile& beam) { beam.least_refresh = 0; });
+    check_refused([](BeamProfile& beam) { beam.min_refresh = 0; });
     check_refused([](BeamProfile& beam) { beam.resolution = 32; });
     check_refused([](BeamProfile& beam) { beam.resolution = 96; });
     check_refused([](BeamProfile& beam) { beam.resolution = 8192; });
@@ -370,7 +370,7 @@ TEST_CASE("a beam's profile keeps its limits")
 TEST_CASE("the bus carries as many points as the beam wants")
 {
     BoardSettings settings = dac_settings();
-    settings.beam.rate = rp2040::most_points(settings.bus_clock);
+    settings.beam.rate = rp2040::max_points(settings.bus_clock);
     CHECK(settings.beam.rate >= 450'000);
     CHECK_FALSE(first_mistake(settings));
     ++settings.beam.rate;

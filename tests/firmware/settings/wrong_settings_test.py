@@ -23,12 +23,12 @@ constexpr const BoardSettings& used = right_settings<settings>();
 
 KNOB = "wrong.controls[0] = {{ControlKind::knob, ControlAction::{action}, {pin}, {{}}}};"
 
-OLED = "wrong.panel = facts_of(Controller::ssd1306).usual;"
+OLED = "wrong.panel = facts_of(Controller::ssd1306).default_value;"
 
 WRONG = {
     "wrong.bus = BusKind::i2c; wrong.bus_clock = 1000;": "does not speak this bus",
     "wrong.panel.glass = {240, 321};": "within the controller's memory",
-    "wrong.panel = facts_of(Controller::ssd0323).usual; wrong.panel.glass.width = 127;": "multiples",
+    "wrong.panel = facts_of(Controller::ssd0323).default_value; wrong.panel.glass.width = 127;": "multiples",
     OLED + "wrong.panel.rotation = Rotation::quarter;": "by quarters",
     "wrong.bus_clock = 62'500'001;": "above 62.5 MHz",
     "wrong.bus_clock = 0;": "too low",

@@ -50,7 +50,7 @@ TEST_CASE("what is larger than allowed is refused, and what just fits is not")
 TEST_CASE("a crowd of members is refused")
 {
     test::Files files;
-    for (std::size_t number = 0; number <= ZipFile::most_members; ++number)
+    for (std::size_t number = 0; number <= ZipFile::max_members; ++number)
         files.emplace_back(std::to_string(number), "");
     const std::string packed = zipped(files);
     CHECK_THROWS_WITH_AS(ZipFile("x.lottie", packed),

@@ -15,20 +15,20 @@ namespace {
 using art::Animated;
 using art::Baking;
 using art::Drawing;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
 
 double apart(const scene::Outline& left, const scene::Outline& right)
 {
-    double most = distance(left.from, right.from);
+    double max = distance(left.from, right.from);
     for (std::size_t i = 0; i < left.curves.size(); ++i) {
-        most = std::max(most, distance(left.curves[i].to, right.curves[i].to));
+        max = std::max(max, distance(left.curves[i].to, right.curves[i].to));
         if (right.curves[i].cubic)
-            most = std::max({most, distance(left.curves[i].c1, right.curves[i].c1),
-                             distance(left.curves[i].c2, right.curves[i].c2)});
+            max = std::max({max, distance(left.curves[i].c1, right.curves[i].c1),
+                            distance(left.curves[i].c2, right.curves[i].c2)});
     }
-    return most;
+    return max;
 }
 
 /// A rounded rectangle that swings about the canvas' corner.
@@ -47,13 +47,13 @@ TEST_CASE("a baked drawing is within the tolerance at every time")
     const auto baked = art::baked_drawing(swinging, {0, 40, {}, tolerance});
     CHECK(baked.keys.front().time == 0);
     CHECK(baked.keys.back().time == 40);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i <= 40 * 997; ++i) {
         const double time = i / 997.0;
-        most = std::max(most, apart(baked.at(time).outlines[0], swinging(time).outlines[0]));
+        max = std::max(max, apart(baked.at(time).outlines[0], swinging(time).outlines[0]));
     }
-    CHECK(most <= tolerance);
-    CHECK(most > tolerance / 8); // else it has more keys than it needs
+    CHECK(max <= tolerance);
+    CHECK(max > tolerance / 8); // else it has more keys than it needs
 }
 
 TEST_CASE("baking keeps few keys of what goes straight or stands still")
@@ -91,7 +91,7 @@ TEST_CASE("a jump at the end of what is baked is there")
 
 TEST_CASE("fast turns are asked for more often than every quarter of a frame")
 {
-    const auto turning = [](double time) { return Spot{100 * std::cos(2 * time), 100 * std::sin(2 * time)}; };
+    const auto turning = [](double time) { return Vec2{100 * std::cos(2 * time), 100 * std::sin(2 * time)}; };
     const auto baked = art::baked_place(turning, {0, 4, {}, tolerance});
     for (int i = 0; i <= 4000; ++i) {
         const double time = i / 1000.0;
@@ -102,7 +102,7 @@ TEST_CASE("fast turns are asked for more often than every quarter of a frame")
 TEST_CASE("lines that are lines at all times stay lines when they are baked")
 {
     const auto bending = [](double time) {
-        scene::Outline outline = scene::polyline(std::vector<Spot>{{0, 0}, {30, 0}, {30, 30}}, false);
+        scene::Outline outline = scene::polyline(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 30}}, false);
         if (time > 3)
             outline.curves[1] = scene::cubic_to({30, 10}, {30 + time - 3, 20}, {30, 30});
         return Drawing{{outline}};

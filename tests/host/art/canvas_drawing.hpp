@@ -12,7 +12,7 @@
 namespace kfast::test {
 
 /// A place in space: pixels, z towards the viewer.
-struct Place {
+struct SourceSpan {
     double x = 0;
     double y = 0;
     double z = 0;
@@ -20,7 +20,7 @@ struct Place {
 
 /// What a transform that is still makes of a place of a node's content, as docs/scene-language.md and
 /// host/art/document/document.hpp have it.
-inline Place placed(const art::Transform& transform, Place place)
+inline SourceSpan placed(const art::Transform& transform, SourceSpan place)
 {
     const auto radians = [&](const art::Channel& degrees) {
         return degrees.value() * std::numbers::pi / 180;
@@ -78,11 +78,11 @@ private:
     {
         for (scene::Outline& outline : drawing.outlines) {
             // Perspective bends nothing of a line, but moves along it: compared are the control points.
-            scene::Spot from = outline.from;
+            scene::Vec2 from = outline.from;
             for (scene::Curve& curve : outline.curves) {
                 curve = art::as_cubic(from, curve);
                 from = curve.to;
-                for (scene::Spot* spot : {&curve.c1, &curve.c2, &curve.to})
+                for (scene::Vec2* spot : {&curve.c1, &curve.c2, &curve.to})
                     *spot = seen(*spot, way);
             }
             outline.from = seen(outline.from, way);
@@ -90,17 +90,17 @@ private:
         return drawing;
     }
 
-    scene::Spot seen(scene::Spot spot, const Way& way) const
+    scene::Vec2 seen(scene::Vec2 spot, const Way& way) const
     {
-        Place place{spot.x, spot.y, 0};
+        SourceSpan place{spot.x, spot.y, 0};
         for (auto transform = way.rbegin(); transform != way.rend(); ++transform)
             place = placed(*transform, place);
         if (!document_.camera)
             return {place.x, place.y};
         const double camera = *document_.camera;
         const double growth = camera / (camera - std::min(place.z, camera * 15 / 16));
-        const scene::Spot middle{document_.width / 2, document_.height / 2};
-        return middle + growth * (scene::Spot{place.x, place.y} - middle);
+        const scene::Vec2 middle{document_.width / 2, document_.height / 2};
+        return middle + growth * (scene::Vec2{place.x, place.y} - middle);
     }
 
     const art::Document& document_;

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 using namespace kfast;
-using scene::Spot;
+using scene::Vec2;
 
 namespace {
 
@@ -15,21 +15,21 @@ art::Drawing box(double left, double top, double right, double bottom)
     return {{scene::rectangle({left, top}, right - left, bottom - top, 0)}};
 }
 
-art::Drawing polygon(std::span<const Spot> corners) { return {{scene::polyline(corners, true)}}; }
+art::Drawing polygon(std::span<const Vec2> corners) { return {{scene::polyline(corners, true)}}; }
 
 /// The area of all, each outline in chords.
 double area(const art::Drawing& drawing)
 {
     double doubled = 0;
     for (const scene::Outline& outline : drawing.outlines) {
-        Spot from = outline.from;
-        const auto go = [&](Spot to) {
+        Vec2 from = outline.from;
+        const auto go = [&](Vec2 to) {
             doubled += cross(from, to);
             from = to;
         };
         for (const scene::Curve& curve : outline.curves) {
             const scene::Curve cubic = art::as_cubic(from, curve);
-            const Spot begin = from;
+            const Vec2 begin = from;
             for (int i = 1; i <= 100; ++i) {
                 const double t = i / 100.0;
                 const double rest = 1 - t;
@@ -47,10 +47,10 @@ double area(const art::Drawing& drawing)
 TEST_CASE("a convex polygon is one whose corners lie on one side of each side")
 {
     CHECK(art::ConvexPolygon::of(box(0, 0, 10, 10)));
-    CHECK(art::ConvexPolygon::of(polygon(std::array{Spot{0, 0}, Spot{0, 9}, Spot{9, 0}})));
-    CHECK_FALSE(art::ConvexPolygon::of(polygon(std::array{Spot{0, 0}, Spot{9, 0}, Spot{2, 2}, Spot{0, 9}})));
+    CHECK(art::ConvexPolygon::of(polygon(std::array{Vec2{0, 0}, Vec2{0, 9}, Vec2{9, 0}})));
+    CHECK_FALSE(art::ConvexPolygon::of(polygon(std::array{Vec2{0, 0}, Vec2{9, 0}, Vec2{2, 2}, Vec2{0, 9}})));
     CHECK_FALSE(art::ConvexPolygon::of(
-        polygon(std::array{Spot{0, -10}, Spot{6, 8}, Spot{-10, -3}, Spot{10, -3}, Spot{-6, 8}})));
+        polygon(std::array{Vec2{0, -10}, Vec2{6, 8}, Vec2{-10, -3}, Vec2{10, -3}, Vec2{-6, 8}})));
     CHECK_FALSE(art::ConvexPolygon::of({{scene::ellipse({0, 0}, 5, 5)}}));
     CHECK_FALSE(art::ConvexPolygon::of(box(0, 0, 10, 0)));
     CHECK_FALSE(art::ConvexPolygon::of({}));
@@ -78,10 +78,10 @@ TEST_CASE("what lies inside stays as it is, what lies outside goes")
     CHECK(same.outlines.at(0).curves.size() == 4);
     CHECK(window->cut(box(11, 2, 18, 8)).outlines.empty());
     CHECK(area(window->cut(box(-10, -10, 20, 20))) == doctest::Approx(100).epsilon(1e-3));
-    const std::array spots{Spot{1, 1}, Spot{9, 9}};
+    const std::array spots{Vec2{1, 1}, Vec2{9, 9}};
     CHECK(window->contains(spots, 1));
     CHECK_FALSE(window->contains(spots, 2));
-    const std::array beyond{Spot{12, 1}, Spot{14, 9}};
+    const std::array beyond{Vec2{12, 1}, Vec2{14, 9}};
     CHECK(window->misses(beyond, 1));
     CHECK_FALSE(window->misses(beyond, 3));
 }

@@ -97,7 +97,7 @@ TEST_CASE("what happens only outside of the scene is a constant")
 TEST_CASE("drawings of different form keep their way to a key behind the end")
 {
     Figure figure;
-    const Drawing triangle{{scene::polyline(std::vector<scene::Spot>{{0, 0}, {9, 0}, {0, 9}}, true)}};
+    const Drawing triangle{{scene::polyline(std::vector<scene::Vec2>{{0, 0}, {9, 0}, {0, 9}}, true)}};
     figure.drawing = art::Animated<Drawing>{{{-4, triangle, {}}, {5, square(10), {}}, {20, triangle, {}}}};
     Node node;
     node.name = "morph";

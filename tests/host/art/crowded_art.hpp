@@ -60,9 +60,9 @@ private:
         return transform;
     }
 
-    art::Drawing drawing(scene::Spot shift)
+    art::Drawing drawing(scene::Vec2 shift)
     {
-        scene::Outline outline = scene::ellipse(scene::Spot{30, 20} + shift, 40, 25);
+        scene::Outline outline = scene::ellipse(scene::Vec2{30, 20} + shift, 40, 25);
         outline.curves[1].c2 = outline.curves[1].c2 + shift;
         return {{outline}};
     }

@@ -10,13 +10,13 @@
 #include <vector>
 
 using namespace kfast;
-using scene::Spot;
+using scene::Vec2;
 
 namespace {
 
 art::Drawing line(double length)
 {
-    const std::array spots{Spot{0, 0}, Spot{length, 0}};
+    const std::array spots{Vec2{0, 0}, Vec2{length, 0}};
     return {{scene::polyline(spots, false)}};
 }
 
@@ -26,7 +26,7 @@ std::string dashes(const art::Drawing& drawing, const std::vector<double>& patte
     art::Budget budget;
     std::string result;
     for (const scene::Outline& outline : art::dashed(drawing, pattern, offset, budget).outlines) {
-        const Spot end = outline.curves.empty() ? outline.from : outline.curves.back().to;
+        const Vec2 end = outline.curves.empty() ? outline.from : outline.curves.back().to;
         result += (result.empty() ? "" : " ") + std::to_string(std::lround(outline.from.x)) + '-' +
                   std::to_string(std::lround(end.x));
     }

@@ -8,10 +8,10 @@
 namespace kfast::test {
 
 /// Points along an outline, close to each other, a closed one back to its beginning.
-inline std::vector<scene::Spot> flattened(const scene::Outline& outline, int steps)
+inline std::vector<scene::Vec2> flattened(const scene::Outline& outline, int steps)
 {
-    std::vector<scene::Spot> spots{outline.from};
-    const auto add = [&](scene::Spot from, const scene::Curve& given) {
+    std::vector<scene::Vec2> spots{outline.from};
+    const auto add = [&](scene::Vec2 from, const scene::Curve& given) {
         const scene::Curve curve = art::as_cubic(from, given);
         for (int i = 1; i <= steps; ++i) {
             const double s = static_cast<double>(i) / steps;
@@ -20,7 +20,7 @@ inline std::vector<scene::Spot> flattened(const scene::Outline& outline, int ste
                             s * s * s * curve.to);
         }
     };
-    scene::Spot from = outline.from;
+    scene::Vec2 from = outline.from;
     for (const scene::Curve& curve : outline.curves) {
         add(from, curve);
         from = curve.to;
@@ -30,9 +30,9 @@ inline std::vector<scene::Spot> flattened(const scene::Outline& outline, int ste
     return spots;
 }
 
-inline double distance_to_segment(scene::Spot spot, scene::Spot from, scene::Spot to)
+inline double distance_to_segment(scene::Vec2 spot, scene::Vec2 from, scene::Vec2 to)
 {
-    const scene::Spot way = to - from;
+    const scene::Vec2 way = to - from;
     const double square = dot(way, way);
     const double share = square > 0 ? std::clamp(dot(spot - from, way) / square, 0.0, 1.0) : 0;
     return distance(spot, from + share * way);
@@ -40,38 +40,38 @@ inline double distance_to_segment(scene::Spot spot, scene::Spot from, scene::Spo
 
 /// How far a point of one is from the other one, at most; those that belong to each other are met in order,
 /// so that it is enough to look around the last place.
-inline double farthest_point(const std::vector<scene::Spot>& points, const std::vector<scene::Spot>& line)
+inline double farthest_point(const std::vector<scene::Vec2>& points, const std::vector<scene::Vec2>& line)
 {
     constexpr std::size_t around = 80;
-    double most = 0;
+    double max = 0;
     std::size_t last = 0;
-    for (const scene::Spot point : points) {
-        double least = distance(point, line[last]);
+    for (const scene::Vec2 point : points) {
+        double min = distance(point, line[last]);
         const std::size_t from = last > around ? last - around : 0;
         for (std::size_t i = from; i + 1 < std::min(line.size(), from + 2 * around); ++i)
-            if (const double apart = distance_to_segment(point, line[i], line[i + 1]); apart < least) {
-                least = apart;
+            if (const double apart = distance_to_segment(point, line[i], line[i + 1]); apart < min) {
+                min = apart;
                 last = i;
             }
-        most = std::max(most, least);
+        max = std::max(max, min);
     }
-    return most;
+    return max;
 }
 
 /// Hausdorff's distance of two drawings with the same outlines, but for how finely they are looked at.
 inline double drawn_distance(const art::Drawing& left, const art::Drawing& right)
 {
     constexpr std::size_t spots = 600;
-    double most = 0;
+    double max = 0;
     for (std::size_t i = 0; i < left.outlines.size(); ++i) {
         const auto fine = [](const scene::Outline& outline) {
             return flattened(outline, static_cast<int>(spots / (outline.curves.size() + 1) + 8));
         };
         const auto fine_left = fine(left.outlines[i]);
         const auto fine_right = fine(right.outlines[i]);
-        most = std::max({most, farthest_point(fine_left, fine_right), farthest_point(fine_right, fine_left)});
+        max = std::max({max, farthest_point(fine_left, fine_right), farthest_point(fine_right, fine_left)});
     }
-    return most;
+    return max;
 }
 
 }

@@ -34,7 +34,7 @@ struct Random {
 TEST_CASE("the parts of an ease go as the ease does")
 {
     Random random;
-    double most = 0;
+    double max = 0;
     for (int round = 0; round < rounds(4000); ++round) {
         const Ease ease = random.ease();
         double from = random(0, 1);
@@ -56,10 +56,10 @@ TEST_CASE("the parts of an ease go as the ease does")
         }
         for (int i = 0; i <= 50; ++i) {
             const double time = i < 50 ? from + (to - from) * i / 50 : to;
-            most = std::max(most, std::abs(by_parts(parts, time) - share_of_way(ease, time)));
+            max = std::max(max, std::abs(by_parts(parts, time) - share_of_way(ease, time)));
         }
     }
-    CHECK(most < 1e-4);
+    CHECK(max < 1e-4);
 }
 
 TEST_CASE("a part whose ends are level still goes up between them")

@@ -25,15 +25,15 @@ using art::NewEases;
 /// Right before each key as well: jumps lie there.
 double worst(const Channel& left, const Channel& right, double from, double to)
 {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i <= 4000; ++i) {
         const double time = from + (to - from) * i / 4000;
-        most = std::max(most, std::abs(left.at(time) - right.at(time)));
+        max = std::max(max, std::abs(left.at(time) - right.at(time)));
     }
     for (const auto& key : left.keys)
         for (const double time : {key.time, key.time - 1e-6})
-            most = std::max(most, std::abs(left.at(time) - right.at(time)));
-    return most;
+            max = std::max(max, std::abs(left.at(time) - right.at(time)));
+    return max;
 }
 
 }

@@ -19,7 +19,7 @@ using art::CubicPiece;
 using art::Drawing;
 using art::Figure;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
 
@@ -39,15 +39,15 @@ const Outline& first(const Figure& figure) { return figure.drawing.keys[0].value
 Outline divided(const Outline& outline, const std::vector<double>& at, RandomArt& random, double noise)
 {
     Outline result{outline.from, {}, outline.closed};
-    Spot from = outline.from;
-    const auto shaken = [&](Spot spot) { return spot + random.spot(noise); };
+    Vec2 from = outline.from;
+    const auto shaken = [&](Vec2 spot) { return spot + random.spot(noise); };
     for (const scene::Curve& given : outline.curves) {
         const scene::Curve curve = art::as_cubic(from, given);
         const CubicPiece whole{{from, curve.c1, curve.c2, curve.to}};
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
             const CubicPiece piece = whole.between(at[i], at[i + 1]);
             const bool last = i + 2 == at.size();
-            const Spot to = last ? curve.to : shaken(piece.points[3]);
+            const Vec2 to = last ? curve.to : shaken(piece.points[3]);
             result.curves.push_back(
                 given.cubic ? scene::cubic_to(shaken(piece.points[1]), shaken(piece.points[2]), to)
                             : scene::line_to(to));
@@ -71,11 +71,11 @@ std::vector<double> cuts(RandomArt& random)
 Outline wild(RandomArt& random, const std::vector<bool>& cubic)
 {
     Outline outline{random.spot(60), {}, false};
-    Spot direction = random.spot(20);
+    Vec2 direction = random.spot(20);
     for (const bool curved : cubic) {
-        const Spot from = outline.curves.empty() ? outline.from : outline.curves.back().to;
-        const Spot to = from + random.spot(50);
-        const Spot arrival = random.spot(20);
+        const Vec2 from = outline.curves.empty() ? outline.from : outline.curves.back().to;
+        const Vec2 to = from + random.spot(50);
+        const Vec2 arrival = random.spot(20);
         outline.curves.push_back(curved ? scene::cubic_to(from + direction, to - arrival, to)
                                         : scene::line_to(to));
         direction = curved && random.chance(0.7) ? arrival : random.spot(20);
@@ -138,7 +138,7 @@ TEST_CASE("what was divided becomes one curve again, in all keys")
 TEST_CASE("lines in a row become one, many short ones a curve")
 {
     Outline outline{{0, 0}, {}, true};
-    for (const Spot to : {Spot{10, 0.01}, {25, 0}, {50, 0}, {50, 10}, {50, 40}})
+    for (const Vec2 to : {Vec2{10, 0.01}, {25, 0}, {50, 0}, {50, 10}, {50, 40}})
         outline.curves.push_back(scene::line_to(to));
     Figure figure = filled(Drawing{{outline}});
     art::merge_curves(figure, tolerance);
@@ -158,7 +158,7 @@ TEST_CASE("lines in a row become one, many short ones a curve")
 
 TEST_CASE("a curve that is straight becomes a line, if it is so in all keys")
 {
-    const auto straight = [](Spot to, double first, double second) {
+    const auto straight = [](Vec2 to, double first, double second) {
         return Drawing{{Outline{{0, 0}, {scene::cubic_to(first * to, second * to, to)}, false}}};
     };
     Figure still = filled(straight({40, 30}, 0.1, 0.7));
@@ -180,9 +180,9 @@ TEST_CASE("a curve that is straight becomes a line, if it is so in all keys")
 
 TEST_CASE("segments of no length in all keys vanish, those of some length in one stay")
 {
-    const auto with = [](Spot third) {
+    const auto with = [](Vec2 third) {
         return Drawing{
-            {scene::polyline(std::vector<Spot>{{0, 0}, {9, 0}, {9, 0}, {9, 0}, third, {0, 9}}, true)}};
+            {scene::polyline(std::vector<Vec2>{{0, 0}, {9, 0}, {9, 0}, {9, 0}, third, {0, 9}}, true)}};
     };
     Figure figure = filled(Animated<Drawing>{{{0, with({9, 0}), {}}, {9, with({12, 5}), {}}}});
     art::merge_curves(figure, tolerance);
@@ -207,7 +207,7 @@ TEST_CASE("the small zigzag of a wide line with miters keeps its tips")
     CHECK(curves_of(mitred) >= 10);
 
     Outline notch{{0, 0}, {}, false};
-    for (const Spot to : {Spot{5, 0}, {5.1, 0.015}, {5.2, -0.015}, {5.3, 0}, {10, 0}})
+    for (const Vec2 to : {Vec2{5, 0}, {5.1, 0.015}, {5.2, -0.015}, {5.3, 0}, {10, 0}})
         notch.curves.push_back(scene::line_to(to));
     Figure smooth = filled(Drawing{{notch}});
     art::merge_curves(smooth, tolerance);
@@ -221,7 +221,7 @@ TEST_CASE("merging keeps the angles of corners")
 {
     // The first arm is nearly straight, so that one line is near enough to it; the corner's tip would move.
     Outline corner{{0, 0}, {}, false};
-    for (const Spot to : {Spot{20, 0}, {39, 0}, {40, 0.02}, {0, 12}})
+    for (const Vec2 to : {Vec2{20, 0}, {39, 0}, {40, 0.02}, {0, 12}})
         corner.curves.push_back(scene::line_to(to));
     Figure fill = filled(Drawing{{corner}});
     art::merge_curves(fill, tolerance);
@@ -233,8 +233,8 @@ TEST_CASE("merging keeps the angles of corners")
 
 TEST_CASE("drawings of different forms, and those of bones, are not merged")
 {
-    const Drawing three{{scene::polyline(std::vector<Spot>{{0, 0}, {5, 0}, {9, 0}, {9, 9}}, true)}};
-    const Drawing two{{scene::polyline(std::vector<Spot>{{0, 0}, {9, 0}, {9, 9}}, true)}};
+    const Drawing three{{scene::polyline(std::vector<Vec2>{{0, 0}, {5, 0}, {9, 0}, {9, 9}}, true)}};
+    const Drawing two{{scene::polyline(std::vector<Vec2>{{0, 0}, {9, 0}, {9, 9}}, true)}};
     const Figure given = filled(Animated<Drawing>{{{0, three, {}}, {9, two, {}}}});
     Figure merged = given;
     art::merge_curves(merged, tolerance);

@@ -19,7 +19,7 @@ public:
     }
     int integer(int low, int high) { return std::uniform_int_distribution<int>{low, high}(engine_); }
     bool chance(double share) { return number(0, 1) < share; }
-    scene::Spot spot(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
+    scene::Vec2 spot(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
 
     art::Ease ease()
     {

@@ -9,7 +9,7 @@ namespace {
 
 using art::shape_form;
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 template <typename Form>
 bool is(const Outline& outline)
@@ -22,7 +22,7 @@ Outline reversed_ellipse()
     Outline outline = scene::ellipse({50, 50}, 20, 10);
     Outline result{outline.from, {}, true};
     for (std::size_t i = 4; i-- > 0;) {
-        const Spot to = i == 0 ? outline.from : outline.curves[i - 1].to;
+        const Vec2 to = i == 0 ? outline.from : outline.curves[i - 1].to;
         result.curves.push_back(scene::cubic_to(outline.curves[i].c2, outline.curves[i].c1, to));
     }
     return result;
@@ -45,7 +45,7 @@ TEST_CASE("circles and ellipses are known, with as few decimals as they need")
 TEST_CASE("the form of anything draws the same stroke")
 {
     for (int i = 0; i < 500; ++i) {
-        const Spot centre{i * 0.377, 200 - i * 0.6113};
+        const Vec2 centre{i * 0.377, 200 - i * 0.6113};
         const double rx = 1 + i * 0.1234;
         const double ry = i % 3 == 0 ? rx : 2 + i * 0.0817;
         const Outline round = scene::ellipse(centre, rx, ry);
@@ -65,7 +65,7 @@ TEST_CASE("nearly all circles and rectangles of any place are known")
 {
     int known = 0;
     for (int i = 0; i < 500; ++i) {
-        const Spot corner{i * 0.377, 200 - i * 0.6113};
+        const Vec2 corner{i * 0.377, 200 - i * 0.6113};
         known += is<art::CircleForm>(scene::ellipse(corner, 1 + i * 0.1234, 1 + i * 0.1234)) ? 1 : 0;
         const Outline rect = scene::rectangle(corner, 30 + i * 0.317, 50, i % 2 * 7.3);
         const auto form = shape_form(rect);
@@ -92,20 +92,20 @@ TEST_CASE("rectangles are known by their beginning and direction")
     const auto upright = std::get<art::RectForm>(shape_form(scene::rectangle({1, 2}, 10, 30, 5)));
     CHECK(upright.height == 30);
     CHECK(upright.corner == 5);
-    const auto turned = std::vector<Spot>{{31, 2}, {31, 42}, {1, 42}, {1, 2}};
+    const auto turned = std::vector<Vec2>{{31, 2}, {31, 42}, {1, 42}, {1, 2}};
     CHECK(std::get<art::PolygonForm>(shape_form(scene::polyline(turned, true))).spots.size() == 4);
 }
 
 TEST_CASE("straight outlines are polygons and lines")
 {
-    const std::vector<Spot> spots{{0, 0}, {10.01, 0}, {10, 7}};
+    const std::vector<Vec2> spots{{0, 0}, {10.01, 0}, {10, 7}};
     const auto polygon = std::get<art::PolygonForm>(shape_form(scene::polyline(spots, true)));
     CHECK(polygon.spots.size() == 3);
     CHECK(polygon.spots[1].x == 10);
-    const std::vector<Spot> back{{0, 0}, {10, 0}, {10, 7}, {0, 0}};
+    const std::vector<Vec2> back{{0, 0}, {10, 0}, {10, 7}, {0, 0}};
     CHECK(is<art::PolygonForm>(scene::polyline(back, false)));
     CHECK(std::get<art::LineForm>(shape_form(scene::polyline(spots, false))).spots.size() == 3);
-    const std::vector<Spot> there{{0, 0}, {10, 0}};
+    const std::vector<Vec2> there{{0, 0}, {10, 0}};
     const auto line = std::get<art::LineForm>(shape_form(scene::polyline(there, true)));
     CHECK(line.spots.size() == 3);
     CHECK(line.spots[2].x == 0);

@@ -34,7 +34,7 @@ std::size_t different(const Channel& channel)
 
 TEST_CASE("a document that has few enough eases keeps them")
 {
-    Document document = with_eases(most_eases - 1);
+    Document document = with_eases(max_eases - 1);
     const Document before = document;
     Losses losses;
     share_eases(document, losses);
@@ -50,7 +50,7 @@ TEST_CASE("too many eases are shared by those that are near, which is told")
     share_eases(document, losses);
     const Channel& after = document.nodes[0].transform.x;
     CHECK(different(before) == 1001);
-    CHECK(different(after) <= most_eases);
+    CHECK(different(after) <= max_eases);
     CHECK(different(after) > 8);
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].feature == "1001 different eases");

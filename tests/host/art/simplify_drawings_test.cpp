@@ -17,22 +17,22 @@ using art::Document;
 using art::Drawing;
 using art::Figure;
 using art::Key;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
 
 /// Where the edges of a line along a polygon meet outside of its corners.
-std::vector<Spot> tips(const scene::Outline& outline, double half_width)
+std::vector<Vec2> tips(const scene::Outline& outline, double half_width)
 {
-    std::vector<Spot> corners{outline.from};
+    std::vector<Vec2> corners{outline.from};
     for (const scene::Curve& curve : outline.curves)
         corners.push_back(curve.to);
-    std::vector<Spot> result;
+    std::vector<Vec2> result;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Spot corner = corners[i];
-        const auto towards = [&](Spot other) { return 1 / distance(corner, other) * (other - corner); };
-        const Spot one = towards(corners[(i + 1) % corners.size()]);
-        const Spot other = towards(corners[(i + corners.size() - 1) % corners.size()]);
+        const Vec2 corner = corners[i];
+        const auto towards = [&](Vec2 other) { return 1 / distance(corner, other) * (other - corner); };
+        const Vec2 one = towards(corners[(i + 1) % corners.size()]);
+        const Vec2 other = towards(corners[(i + corners.size() - 1) % corners.size()]);
         result.push_back(corner - half_width / std::abs(cross(one, other)) * (one + other));
     }
     return result;
@@ -56,7 +56,7 @@ TEST_CASE("keys of drawings that are nearly equal are equal afterwards")
 TEST_CASE("a wide line with miters lets its drawing move less")
 {
     const auto at = [](double x, double y) {
-        return Drawing{{scene::polyline(std::vector<Spot>{{0, 0}, {x, y}, {0, 9}}, true)}};
+        return Drawing{{scene::polyline(std::vector<Vec2>{{0, 0}, {x, y}, {0, 9}}, true)}};
     };
     const Animated<Drawing> drawing{{{0, at(20, 4), {}}, {5, at(30, 4.005), {}}, {10, at(40, 4), {}}}};
     Figure line;
@@ -75,7 +75,7 @@ TEST_CASE("a line that grows out of a point loses keys, for it keeps its directi
     std::vector<Key<Drawing>> keys;
     for (int i = 0; i <= 20; ++i)
         keys.push_back(
-            {2.0 * i, {{scene::polyline(std::vector<Spot>{{5, 5}, {5 + 3.0 * i, 5 + 2.0 * i}}, false)}}, {}});
+            {2.0 * i, {{scene::polyline(std::vector<Vec2>{{5, 5}, {5 + 3.0 * i, 5 + 2.0 * i}}, false)}}, {}});
     Figure figure;
     figure.drawing = Animated<Drawing>{keys};
     figure.line.emplace().width = 9;
@@ -87,17 +87,17 @@ TEST_CASE("a line that grows out of a point loses keys, for it keeps its directi
 TEST_CASE("the tips of a line's corners move by no more than the tolerance")
 {
     std::size_t kept = 0;
-    double most = 0;
+    double max = 0;
     for (unsigned seed = 0; seed < static_cast<unsigned>(rounds(60)); ++seed) {
         RandomArt random{seed};
         const double noise = random.number(0, 0.0003);
         std::vector<Key<Drawing>> keys;
-        const std::array<Spot, 4> corners{Spot{0, 0}, {60, 5}, {50, 60}, {10, 40}};
-        const Spot speed = random.spot(0.2);
+        const std::array<Vec2, 4> corners{Vec2{0, 0}, {60, 5}, {50, 60}, {10, 40}};
+        const Vec2 speed = random.spot(0.2);
         for (int i = 0; i <= 30; ++i) {
-            std::vector<Spot> spots;
+            std::vector<Vec2> spots;
             spots.reserve(corners.size());
-            for (const Spot corner : corners)
+            for (const Vec2 corner : corners)
                 spots.push_back(corner + i * (0.01 * corner.x * speed) + random.spot(noise));
             keys.push_back({1.0 * i, {{scene::polyline(spots, true)}}, {}});
         }
@@ -114,17 +114,17 @@ TEST_CASE("the tips of a line's corners move by no more than the tolerance")
             const auto before = tips(figure.drawing.at(time).outlines[0], half_width);
             const auto now = tips(after.at(time).outlines[0], half_width);
             for (std::size_t corner = 0; corner < 4; ++corner)
-                most = std::max(most, distance(before[corner], now[corner]));
+                max = std::max(max, distance(before[corner], now[corner]));
         }
     }
-    CHECK(most <= tolerance);
-    CHECK(most > 0);
+    CHECK(max <= tolerance);
+    CHECK(max > 0);
     CHECK(kept < static_cast<std::size_t>(rounds(60)) * 25);
 }
 
 TEST_CASE("between changes of form, keys and segments go")
 {
-    const auto line = [](std::vector<Spot> spots) { return Drawing{{scene::polyline(spots, false)}}; };
+    const auto line = [](std::vector<Vec2> spots) { return Drawing{{scene::polyline(spots, false)}}; };
     const art::Ease hold{art::EaseKind::hold};
     const Animated<Drawing> drawing{{{0, line({{0, 0}, {10, 0}, {20, 0}}), {}},
                                      {5, line({{0, 0}, {10, 5}, {20, 10}}), {}},

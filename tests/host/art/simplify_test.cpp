@@ -19,7 +19,7 @@ using art::Figure;
 using art::Group;
 using art::Key;
 using art::Node;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
 
@@ -42,28 +42,28 @@ std::size_t count_keys(const std::vector<Node>& nodes)
 /// Of control points: their number is the same, where nothing is merged.
 double farthest_control(const Drawing& left, const Drawing& right)
 {
-    double most = 0;
+    double max = 0;
     for (std::size_t i = 0; i < left.outlines.size(); ++i)
         for (std::size_t j = 0; j < left.outlines[i].curves.size(); ++j) {
             const auto& one = left.outlines[i].curves[j];
             const auto& other = right.outlines[i].curves[j];
-            most = std::max(
-                {most, distance(one.c1, other.c1), distance(one.c2, other.c2), distance(one.to, other.to)});
+            max = std::max(
+                {max, distance(one.c1, other.c1), distance(one.c2, other.c2), distance(one.to, other.to)});
         }
-    return most;
+    return max;
 }
 
 double worst(const Document& before, const Document& after, RandomArt& random, int times)
 {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < times; ++i) {
         const double time = random.number(-1, 41);
         const CanvasDrawings left{before, time};
         const CanvasDrawings right{after, time};
         for (const auto& [name, drawing] : left.drawings())
-            most = std::max(most, farthest_control(drawing, right.drawings().at(name)));
+            max = std::max(max, farthest_control(drawing, right.drawings().at(name)));
     }
-    return most;
+    return max;
 }
 
 }
@@ -72,39 +72,39 @@ TEST_CASE("simplification moves nothing on the canvas by more than the tolerance
 {
     std::size_t before = 0;
     std::size_t after = 0;
-    double most = 0;
+    double max = 0;
     for (unsigned seed = 0; seed < static_cast<unsigned>(rounds(60)); ++seed) {
         const Document given = CrowdedArt{seed, false}.document();
         Document simple = given;
         art::simplify(simple, tolerance);
         RandomArt random{seed + 1000};
-        most = std::max(most, worst(given, simple, random, 150));
+        max = std::max(max, worst(given, simple, random, 150));
         before += count_keys(given.nodes);
         after += count_keys(simple.nodes);
     }
-    CHECK(most <= tolerance);
-    CHECK(most > tolerance / 64);
+    CHECK(max <= tolerance);
+    CHECK(max > tolerance / 64);
     CHECK(after * 4 < before * 3);
 }
 
 TEST_CASE("simplification in space moves nothing by more than the tolerance")
 {
-    double most = 0;
+    double max = 0;
     for (unsigned seed = 0; seed < static_cast<unsigned>(rounds(40)); ++seed) {
         const Document given = CrowdedArt{seed, true}.document();
         Document simple = given;
         art::simplify(simple, tolerance);
         RandomArt random{seed + 1000};
-        most = std::max(most, worst(given, simple, random, 150));
+        max = std::max(max, worst(given, simple, random, 150));
     }
-    CHECK(most <= tolerance);
-    CHECK(most > 0);
+    CHECK(max <= tolerance);
+    CHECK(max > 0);
 }
 
 TEST_CASE("what a group enlarges is simplified less")
 {
     scene::Outline outline{{0, 0}, {}, true};
-    for (const Spot to : {Spot{10, 0.02}, {20, 0}, {20, 20}})
+    for (const Vec2 to : {Vec2{10, 0.02}, {20, 0}, {20, 20}})
         outline.curves.push_back(scene::line_to(to));
     for (const double factor : {1.0, 4.0}) {
         Node group;
@@ -179,7 +179,7 @@ TEST_CASE("neighbours of one parent keep the same transform")
 TEST_CASE("what is never seen is taken out")
 {
     const Drawing square{{scene::rectangle({0, 0}, 9, 9, 0)}};
-    const Drawing point{{scene::polyline(std::vector<Spot>{{5, 5}, {5, 5}}, true)}};
+    const Drawing point{{scene::polyline(std::vector<Vec2>{{5, 5}, {5, 5}}, true)}};
     Document document = document_of(node_of(filled(square)));
     Node hidden = node_of(filled(square));
     hidden.shown.clear();

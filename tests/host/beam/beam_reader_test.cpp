@@ -33,14 +33,14 @@ BeamProfile read(const std::string& text)
 }
 
 void check_refused(const std::string& text, const std::string& place, std::string_view says,
-                   std::string_view remedy)
+                   std::string_view hint)
 {
     const Reading reading = reading_of(text);
     CAPTURE(text);
     CAPTURE(reading.said);
     CHECK(reading.said.find("my.kdl:" + place + ": error:") != std::string::npos);
     CHECK(reading.said.find(says) != std::string::npos);
-    CHECK(reading.said.find(remedy) != std::string::npos);
+    CHECK(reading.said.find(hint) != std::string::npos);
     CHECK_FALSE(reading.beam);
 }
 
@@ -66,10 +66,10 @@ TEST_CASE("every property of a beam can be told")
                               .arrival_dwell = 4,
                               .leave_dwell = 5,
                               .light_delay = 6,
-                              .least_refresh = 25,
+                              .min_refresh = 25,
                               .resolution = 512,
                               .brightness = BeamBrightness::by_speed,
-                              .park = {field_least, field_most},
+                              .park = {field_min, field_max},
                               .is_laser = false});
     CHECK(read("beam scope rate=(Hz)44100").rate == 44'100);
     CHECK(read("beam scope brightness=none").brightness == BeamBrightness::none);

@@ -13,12 +13,15 @@ namespace {
 
 constexpr Size small{201, 201};
 constexpr Colour white{255, 255, 255};
-constexpr std::int64_t usual = 10; // of a fast and therefore light picture: a single tour is dark
+constexpr std::int64_t default_value = 10; // of a fast and therefore light picture: a single tour is dark
 
 int green_at(const Picture& picture, int x, int y) { return picture.at(x, y).green; }
 
 /// That of a scope whose points are where they are told to be, with a half-life of 800 points.
-BeamScreen scope_screen(Size size = small) { return {scope_profile, display_of("scope"), size, usual}; }
+BeamScreen scope_screen(Size size = small)
+{
+    return {scope_profile, display_of("scope"), size, default_value};
+}
 
 /// In the middle of the screen.
 DrawnPicture dot(std::int64_t lit, std::int64_t dark)
@@ -56,11 +59,11 @@ int pixel_of(double place) { return static_cast<int>(std::lround(100 + (place - 
 
 int lightest(const Picture& picture, int left, int right, int top, int bottom)
 {
-    int most = 0;
+    int max = 0;
     for (int y = top; y <= bottom; ++y)
         for (int x = left; x <= right; ++x)
-            most = std::max(most, green_at(picture, x, y));
-    return most;
+            max = std::max(max, green_at(picture, x, y));
+    return max;
 }
 
 }
@@ -91,7 +94,7 @@ TEST_CASE("the spot is as wide as it is told")
     for (const double percent : {1.0, 3.0}) {
         BeamDisplay display = display_of("scope");
         display.spot = percent;
-        BeamScreen screen{scope_profile, display, {1001, 1001}, usual};
+        BeamScreen screen{scope_profile, display, {1001, 1001}, default_value};
         const DrawnPicture picture = dot(1, 0);
         const Picture seen = widen(screen.show({&picture, 1}));
         const int radius = static_cast<int>(std::lround(percent / 100 * 0.92 * 1001 / 2));

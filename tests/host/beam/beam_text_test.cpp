@@ -20,10 +20,10 @@ std::optional<BeamProfile> read(const std::string& text)
 }
 
 template <class Number>
-Number any(std::mt19937& random, Number least = std::numeric_limits<Number>::min(),
-           Number most = std::numeric_limits<Number>::max())
+Number any(std::mt19937& random, Number min = std::numeric_limits<Number>::min(),
+           Number max = std::numeric_limits<Number>::max())
 {
-    return static_cast<Number>(std::uniform_int_distribution<std::int64_t>{least, most}(random));
+    return static_cast<Number>(std::uniform_int_distribution<std::int64_t>{min, max}(random));
 }
 
 BeamProfile random_profile(std::mt19937& random)
@@ -36,7 +36,7 @@ BeamProfile random_profile(std::mt19937& random)
          {&BeamProfile::corner_dwell, &BeamProfile::lit_dwell, &BeamProfile::arrival_dwell,
           &BeamProfile::leave_dwell, &BeamProfile::light_delay})
         beam.*wait = any<std::uint8_t>(random);
-    beam.least_refresh = any<std::uint8_t>(random, 1);
+    beam.min_refresh = any<std::uint8_t>(random, 1);
     beam.resolution = static_cast<std::uint16_t>(64 << any<int>(random, 0, 6));
     beam.brightness = static_cast<BeamBrightness>(any<int>(random, 0, 2));
     beam.park = {any<std::int16_t>(random), any<std::int16_t>(random)};

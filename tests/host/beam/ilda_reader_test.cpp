@@ -129,9 +129,9 @@ TEST_CASE("what a file amounts to")
     CHECK(facts.formats == std::set{IldaFormat::true_colour_2d});
     CHECK(facts.points == 3);
     CHECK(facts.lit_points == 2);
-    CHECK(facts.most_points == 2);
-    CHECK(facts.least == FieldPoint{-30, -60});
-    CHECK(facts.most == FieldPoint{50, 40});
+    CHECK(facts.max_points == 2);
+    CHECK(facts.min == FieldPoint{-30, -60});
+    CHECK(facts.max == FieldPoint{50, 40});
     CHECK(facts.longest_lit_step == 0);
     CHECK(facts.longest_blanked_step == doctest::Approx(44.72).epsilon(0.001));
 }

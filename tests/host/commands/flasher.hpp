@@ -90,7 +90,7 @@ struct Flasher {
                   .settings = {.config = {}, .panel = "st7789", .pins = {"dc=8"}}};
     FlashOrder order;
     FlashOutcome outcome;
-    TellFlashing tell = [](FlashPhase, std::size_t, std::size_t) {};
+    FlashProgressCallback tell = [](FlashPhase, std::size_t, std::size_t) {};
 };
 
 inline BoardSettings settings_of(const DeskPico& pico)

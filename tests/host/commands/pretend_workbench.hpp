@@ -145,7 +145,7 @@ public:
             throw Failure{"no drive", ExitStatus::no_device};
         return *found;
     }
-    void copy_to_drive(const Uf2Drive&, const FlashImage& image, const TellFlashing&) override
+    void copy_to_drive(const Uf2Drive&, const FlashImage& image, const FlashProgressCallback&) override
     {
         if (is_full)
             throw Failure{"the drive is gone", ExitStatus::unplugged};

@@ -15,7 +15,7 @@ std::vector<BackboneNode> nodes_of(const std::vector<scene::Backbone>& backbones
 }
 
 /// Of a straight band of two segments, from (10, 30) to (30, 30), 10 px to either side.
-RelativePoint on_band(Spot spot) { return BackboneCells{nodes_of({straight_band(2)})}.place_of(spot); }
+RelativePoint on_band(Vec2 spot) { return BackboneCells{nodes_of({straight_band(2)})}.place_of(spot); }
 
 void check(const RelativePoint& point, double along, double across)
 {
@@ -87,7 +87,7 @@ TEST_CASE("where cells of two backbones lie over each other, a point goes with t
     CHECK(cells.place_of({20, 35}, 1).backbone == 1);
     CHECK(cells.place_of({20, 22}, 1).backbone == 0);
     CHECK(cells.place_on({20, 22}, 1).backbone == 1);
-    CHECK(cells.main_backbone(std::vector<Spot>{{20, 22}, {20, 35}, {20, 43}, {21, 44}}) == 1);
+    CHECK(cells.main_backbone(std::vector<Vec2>{{20, 22}, {20, 35}, {20, 43}, {21, 44}}) == 1);
 }
 
 TEST_CASE("a cell may end in a point")

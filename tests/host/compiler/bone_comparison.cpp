@@ -33,7 +33,7 @@ void compare_bone(const SceneView& view, const BoneView& read, const scene::Bone
         const bool is_modular = i == 0 && !bone.turns_as_written;
         compare_bone_keys(view, read.keys[i], bone.keys[i], is_modular);
         if (bone.keys[i].size() > 1) // a single one is the same by any clock
-            CHECK(read.keys[i].keys().beats().clock() == bone.clock);
+            CHECK(read.keys[i].keys().key_times().driver() == bone.driver);
     }
 }
 
@@ -41,10 +41,10 @@ void compare_bone(const SceneView& view, const BoneView& read, const scene::Bone
 
 void compare_skeletons(const SceneView& view, const std::vector<scene::Bones>& skeletons)
 {
-    BonesCursor cursor = view.skeletons();
+    SkeletonCursor cursor = view.skeletons();
     for (const scene::Bones& skeleton : skeletons) {
         REQUIRE(!cursor.at_end());
-        const BonesView read = cursor.next();
+        const SkeletonView read = cursor.next();
         REQUIRE(read.count() == skeleton.bones.size());
         BoneCursor bones = read.bones();
         for (const scene::Bone& bone : skeleton.bones)

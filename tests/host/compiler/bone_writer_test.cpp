@@ -72,9 +72,9 @@ TEST_CASE("the times and laws that save most are common")
     skeleton.bones[2].keys[1] = {at(0, 20000), at(10, 20000), at(20, 20000)};
     skeleton.bones[1].turns_as_written = true;
     const std::vector<std::byte> bytes = written({skeleton});
-    BonesCursor cursor{ByteReader{bytes}};
-    const BonesView view = cursor.next();
-    CHECK(view.common_beats().count() == 3);
+    SkeletonCursor cursor{ByteReader{bytes}};
+    const SkeletonView view = cursor.next();
+    CHECK(view.common_key_times().count() == 3);
     BoneCursor bones = view.bones();
     const BoneView first = bones.next();
     CHECK(kind(first, BoneQuantity::angle) == BoneKeys::Kind::common);
@@ -96,8 +96,8 @@ TEST_CASE("beats of one quantity alone are not common")
     scene::Bones skeleton{.name = "s", .bones = {bone({0, 0, 0, 16})}, .place = {}};
     skeleton.bones[0].keys[0] = {at(0, 100), at(10, 200)};
     const std::vector<std::byte> bytes = written({skeleton});
-    BonesCursor cursor{ByteReader{bytes}};
-    CHECK(cursor.next().common_beats().count() == 0);
+    SkeletonCursor cursor{ByteReader{bytes}};
+    CHECK(cursor.next().common_key_times().count() == 0);
 }
 
 TEST_CASE("angles that count modulo one turn are stored near the bone as set up")
@@ -105,11 +105,11 @@ TEST_CASE("angles that count modulo one turn are stored near the bone as set up"
     scene::Bones skeleton{.name = "s", .bones = {bone({0, 0, 0, 16})}, .place = {}};
     skeleton.bones[0].keys[0] = {at(0, 65530)};
     std::vector<std::byte> bytes = written({skeleton});
-    BonesCursor cursor{ByteReader{bytes}};
+    SkeletonCursor cursor{ByteReader{bytes}};
     CHECK(cursor.next().bones().next().keys_of(BoneQuantity::angle).keys().next().value == -6);
     skeleton.bones[0].turns_as_written = true;
     bytes = written({skeleton});
-    CHECK(BonesCursor{ByteReader{bytes}}
+    CHECK(SkeletonCursor{ByteReader{bytes}}
               .next()
               .bones()
               .next()

@@ -18,7 +18,7 @@
 namespace kfast::test {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 struct Carried {
     KeyWays ways;
@@ -42,19 +42,19 @@ std::vector<scene::Point> vertices(const scene::Stroke& stroke)
 }
 
 /// Where the backbones of `object` put what is stored, in pixels.
-std::vector<std::vector<Spot>> placed(const scene::Object& object, const scene::Drawing& stored,
+std::vector<std::vector<Vec2>> placed(const scene::Object& object, const scene::Drawing& stored,
                                       std::uint32_t unit_bits, Time time)
 {
     const BackboneTimeline backbones{object.backbone_keys};
     std::vector<BackboneNode> nodes(backbones.node_count());
-    const LiveBackbones live = backbones.at(time, unit_bits, nodes);
+    const PosedBackbones live = backbones.at(time, unit_bits, nodes);
     const auto spot = [&live](scene::Point point) {
         const Point at = live.place({Fixed::sixteenths(point.x), Fixed::sixteenths(point.y)});
-        return Spot{at.x.raw() / 65536.0, at.y.raw() / 65536.0};
+        return Vec2{at.x.raw() / 65536.0, at.y.raw() / 65536.0};
     };
-    std::vector<std::vector<Spot>> strokes;
+    std::vector<std::vector<Vec2>> strokes;
     for (const scene::Stroke& stroke : stored.strokes) {
-        std::vector<Spot>& spots = strokes.emplace_back();
+        std::vector<Vec2>& spots = strokes.emplace_back();
         for (const scene::Point point : vertices(stroke))
             spots.push_back(spot(point));
         for (const scene::Segment& segment : stroke.segments)
@@ -66,12 +66,12 @@ std::vector<std::vector<Spot>> placed(const scene::Object& object, const scene::
     return strokes;
 }
 
-double distance_to(const std::vector<Spot>& spots, scene::Point point)
+double distance_to(const std::vector<Vec2>& spots, scene::Point point)
 {
-    double least = 1e9;
-    for (const Spot spot : spots)
-        least = std::min(least, std::hypot(spot.x - point.x / 16.0, spot.y - point.y / 16.0));
-    return least;
+    double min = 1e9;
+    for (const Vec2 spot : spots)
+        min = std::min(min, std::hypot(spot.x - point.x / 16.0, spot.y - point.y / 16.0));
+    return min;
 }
 
 /// A band that wanders, with outlines of its own, and points in its cells.
@@ -109,9 +109,9 @@ public:
         return point(at(&scene::Point::x), at(&scene::Point::y));
     }
 
-    double number(double least, double most)
+    double number(double min, double max)
     {
-        return least + (most - least) * static_cast<double>(random_()) / 4294967296.0;
+        return min + (max - min) * static_cast<double>(random_()) / 4294967296.0;
     }
 
 private:
@@ -262,7 +262,7 @@ TEST_CASE("points outside of the skeleton are a warning at their key")
     CHECK(near.findings[0].place.offset == 12);
     CHECK(near.findings[0].message ==
           "3 points of this drawing lie outside of the skeleton, the first at 20 40.1875");
-    CHECK(near.findings[0].remedy ==
+    CHECK(near.findings[0].hint ==
           "make the skeleton wider or longer; until then, the nearest segment carries them");
     object.keys[0].drawing = lines({{160, 480}, {-200, 480}});
     CHECK(carry(object).findings[0].message ==

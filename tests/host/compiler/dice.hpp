@@ -15,9 +15,9 @@ public:
     /// 0 … `limit` − 1
     std::size_t below(std::size_t limit) { return random_() % limit; }
     /// `least` … `most`
-    int within(int least, int most)
+    int within(int min, int max)
     {
-        return least + static_cast<int>(below(static_cast<unsigned>(most - least + 1)));
+        return min + static_cast<int>(below(static_cast<unsigned>(max - min + 1)));
     }
     /// One time in three.
     bool sometimes() { return below(3) == 0; }

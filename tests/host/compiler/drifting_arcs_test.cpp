@@ -20,7 +20,7 @@ std::string warnings(const std::string& keys, const std::string& object = "strok
     compile({"s.kfast", text}, diagnostics);
     std::string all;
     for (const Diagnostic& finding : diagnostics.sorted())
-        all += finding.message + " (" + finding.remedy + ")\n";
+        all += finding.message + " (" + finding.hint + ")\n";
     return all;
 }
 

@@ -15,7 +15,7 @@ MeasuredStroke even_curve(scene::Point from, scene::Point c1, scene::Point c2, s
     return made_even(measured(curve(from, c1, c2, to).strokes.front()));
 }
 
-Spot at_parameter(const MeasuredSegment& segment, double t)
+Vec2 at_parameter(const MeasuredSegment& segment, double t)
 {
     if (!segment.cubic)
         return between(segment.from, segment.to, t);

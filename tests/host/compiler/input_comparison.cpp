@@ -11,18 +11,19 @@ void compare_drawing(const SceneView& view, const DrawingInput& read, const scen
 {
     CHECK(read.strokes == drawing.strokes);
     CHECK(read.points == drawing.points);
-    CHECK(unpacked(view.drawing(read.usual)) == drawing.usual);
+    CHECK(unpacked(view.drawing(read.default_value)) == drawing.default_value);
 }
 
 void compare_text(const TextInput& read, const scene::TextInput& text)
 {
-    CHECK(read.most == text.most);
+    CHECK(read.max == text.max);
     REQUIRE(read.glyphs.count() == text.glyphs.size());
     for (std::uint32_t glyph = 0; glyph < read.glyphs.count(); ++glyph)
         CHECK(read.glyphs.character(glyph) == text.glyphs[glyph]);
-    REQUIRE(read.usual.size() == text.usual.size());
-    for (std::size_t i = 0; i < text.usual.size(); ++i)
-        CHECK(read.glyphs.character(std::to_integer<std::uint32_t>(read.usual[i])) == text.usual[i]);
+    REQUIRE(read.default_value.size() == text.default_value.size());
+    for (std::size_t i = 0; i < text.default_value.size(); ++i)
+        CHECK(read.glyphs.character(std::to_integer<std::uint32_t>(read.default_value[i])) ==
+              text.default_value[i]);
 }
 
 }
@@ -40,9 +41,9 @@ void compare_inputs(const SceneView& view, const std::vector<scene::Input>& inpu
         } else if (input.type == InputType::text) {
             compare_text(read.text, input.text);
         } else {
-            CHECK(read.least == input.least);
-            CHECK(read.most == input.most);
-            CHECK(read.usual == input.usual);
+            CHECK(read.min == input.min);
+            CHECK(read.max == input.max);
+            CHECK(read.default_value == input.default_value);
         }
     }
 }

@@ -1,5 +1,5 @@
 #include "core/player.hpp"
-#include "host/player/told_drawing.hpp"
+#include "host/player/received_drawing.hpp"
 #include "tests/core/stage.hpp"
 #include "tests/rounds.hpp"
 
@@ -13,8 +13,8 @@ namespace kfast::test {
 namespace {
 
 constexpr Size canvas{120, 90};
-constexpr std::size_t most_points = 60;
-constexpr std::size_t most_strokes = 6;
+constexpr std::size_t max_points = 60;
+constexpr std::size_t max_strokes = 6;
 
 struct Telling {
     std::mt19937 random;
@@ -28,7 +28,7 @@ struct Telling {
     }
 
     /// The n-th point of something that is as bad as possible in its own way.
-    LivePoint point(int kind, int n)
+    InputPoint point(int kind, int n)
     {
         const auto odd = static_cast<std::int16_t>(n % 2);
         switch (kind) {
@@ -53,11 +53,11 @@ struct Telling {
         }
     }
 
-    ToldDrawing drawing(int kind)
+    ReceivedDrawing drawing(int kind)
     {
-        ToldDrawing told(random() % 3 == 0 ? most_strokes : 1);
-        for (std::size_t n = 0; n < most_points; ++n)
-            told[n * told.size() / most_points].push_back(point(kind, static_cast<int>(n)));
+        ReceivedDrawing told(random() % 3 == 0 ? max_strokes : 1);
+        for (std::size_t n = 0; n < max_points; ++n)
+            told[n * told.size() / max_points].push_back(point(kind, static_cast<int>(n)));
         if (random() % 2 == 0)
             for (auto& stroke : told)
                 stroke.back() = stroke.front();

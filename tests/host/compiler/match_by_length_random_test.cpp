@@ -106,7 +106,7 @@ void check_nothing_added(const Yield& yield, const scene::Drawing& drawing)
     }
 }
 
-double distance_to(Spot at, Spot a, Spot b)
+double distance_to(Vec2 at, Vec2 a, Vec2 b)
 {
     const double squared = dot(b - a, b - a);
     const double share = squared == 0 ? 0 : std::clamp(dot(at - a, b - a) / squared, 0.0, 1.0);
@@ -114,9 +114,9 @@ double distance_to(Spot at, Spot a, Spot b)
 }
 
 /// A curve in many straight pieces.
-std::vector<Spot> traced(const scene::Stroke& stroke, std::uint32_t pieces)
+std::vector<Vec2> traced(const scene::Stroke& stroke, std::uint32_t pieces)
 {
-    std::vector<Spot> spots{in_pixels(stroke.from)};
+    std::vector<Vec2> spots{in_pixels(stroke.from)};
     for (const Segment& segment : segments_of({{stroke}}))
         for (std::uint32_t piece = 1; piece <= pieces; ++piece)
             if (segment.kind == Segment::Kind::cubic || piece == pieces)
@@ -127,9 +127,9 @@ std::vector<Spot> traced(const scene::Stroke& stroke, std::uint32_t pieces)
 /// How far the points of `stroke` are from `other` at most.
 double departure(const scene::Stroke& stroke, const scene::Stroke& other)
 {
-    const std::vector<Spot> way = traced(other, 256);
+    const std::vector<Vec2> way = traced(other, 256);
     double worst = 0;
-    for (const Spot at : traced(stroke, 8)) {
+    for (const Vec2 at : traced(stroke, 8)) {
         double nearest = distance(at, way.front());
         for (std::size_t i = 1; i < way.size(); ++i)
             nearest = std::min(nearest, distance_to(at, way[i - 1], way[i]));

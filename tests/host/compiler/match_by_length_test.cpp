@@ -31,12 +31,12 @@ scene::Stroke circle(double x, double y, double radius)
 }
 
 /// The strokes on the way, as the player has them: their vertices and the points of curves between them.
-std::vector<std::vector<Spot>> live(const MatchedDrawings& drawings, Way way)
+std::vector<std::vector<Vec2>> live(const MatchedDrawings& drawings, Way way)
 {
-    std::vector<std::vector<Spot>> strokes;
+    std::vector<std::vector<Vec2>> strokes;
     EqualizedPair pair{ModelReader{drawings.from}, ModelReader{drawings.to}};
     while (const std::uint32_t segments = pair.next_stroke()) {
-        std::vector<Spot> spots;
+        std::vector<Vec2> spots;
         for (std::uint32_t i = 0; i < segments; ++i) {
             const Pair<Segment> both = pair.next_segment();
             const Segment segment = tween(both.a, both.b, way, way);
@@ -53,7 +53,7 @@ std::vector<std::vector<Spot>> live(const MatchedDrawings& drawings, Way way)
 constexpr Way half{Way::one / 2};
 
 /// What a closed stroke goes around; positive if clockwise.
-double area(const std::vector<Spot>& spots)
+double area(const std::vector<Vec2>& spots)
 {
     double twice = cross(spots.back(), spots.front());
     for (std::size_t i = 1; i < spots.size(); ++i)
@@ -61,16 +61,16 @@ double area(const std::vector<Spot>& spots)
     return twice / 2;
 }
 
-std::vector<Spot> corners(const scene::Stroke& stroke)
+std::vector<Vec2> corners(const scene::Stroke& stroke)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (const scene::Point point : vertices(stroke))
         spots.push_back(in_pixels(point));
     return spots;
 }
 
 /// The angle between the directions of two spots, seen from a centre, in degrees.
-double angle_between(Spot a, Spot b)
+double angle_between(Vec2 a, Vec2 b)
 {
     return std::acos(std::clamp(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)), -1.0, 1.0)) * 180 /
            std::numbers::pi;
@@ -79,7 +79,7 @@ double angle_between(Spot a, Spot b)
 /// A five-pointed star that begins at the top, clockwise.
 scene::Drawing star(double x, double y, double radius)
 {
-    std::vector<Spot> spots;
+    std::vector<Vec2> spots;
     for (int i = 0; i < 10; ++i) {
         const double angle = std::numbers::pi / 5 * i;
         const double away = i % 2 == 0 ? radius : radius * 0.4;
@@ -103,22 +103,22 @@ TEST_CASE("a square that begins two corners later keeps its size on the way")
 TEST_CASE("a circle becomes a star without turning")
 {
     const MatchedDrawings drawings = matched({{circle(60, 60, 50)}}, star(60, 60, 55));
-    const std::vector<Spot> from = corners(drawings.from.strokes.front());
-    const std::vector<Spot> to = corners(drawings.to.strokes.front());
+    const std::vector<Vec2> from = corners(drawings.from.strokes.front());
+    const std::vector<Vec2> to = corners(drawings.to.strokes.front());
     REQUIRE(from.size() == to.size());
     CHECK(from.size() - 1 == 12); // the star's ten; two of the circle's four are where the star has one
     for (std::size_t i = 0; i < from.size(); ++i)
-        CHECK(angle_between(from[i] - Spot{60, 60}, to[i] - Spot{60, 60}) < 9);
+        CHECK(angle_between(from[i] - Vec2{60, 60}, to[i] - Vec2{60, 60}) < 9);
 }
 
 TEST_CASE("a circle becomes a square without turning, with new points for the corners")
 {
     const MatchedDrawings drawings = matched({{circle(60, 60, 50)}}, drawing(square));
-    const std::vector<Spot> from = corners(drawings.from.strokes.front());
-    const std::vector<Spot> to = corners(drawings.to.strokes.front());
+    const std::vector<Vec2> from = corners(drawings.from.strokes.front());
+    const std::vector<Vec2> to = corners(drawings.to.strokes.front());
     REQUIRE(from.size() == 9);
     for (std::size_t i = 0; i < from.size(); ++i)
-        CHECK(angle_between(from[i] - Spot{60, 60}, to[i] - Spot{60, 60}) < 0.2);
+        CHECK(angle_between(from[i] - Vec2{60, 60}, to[i] - Vec2{60, 60}) < 0.2);
 }
 
 TEST_CASE("corners meet corners, though not at the same share of the length")
@@ -132,8 +132,8 @@ TEST_CASE("corners that point elsewhere do not meet: a square becomes a diamond 
 {
     const MatchedDrawings drawings = matched(drawing(square), drawing("M 60 0 L 120 60 L 60 120 L 0 60 Z"));
     CHECK(drawings.from.strokes.front().segments.size() == 8);
-    const std::vector<std::vector<Spot>> octagon = live(drawings, half);
-    for (const Spot at : octagon.front())
+    const std::vector<std::vector<Vec2>> octagon = live(drawings, half);
+    for (const Vec2 at : octagon.front())
         CHECK(distance(at, {60, 60}) > 45);
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("an open stroke keeps its start, a closed one opens where the open one
     const scene::Drawing letter = drawing("M 90 30 A 42 42 0 1 0 90 90");
     const MatchedDrawings drawings = matched(letter, {{circle(60, 60, 50)}});
     CHECK(drawings.from.strokes.front().from == letter.strokes.front().from);
-    const Spot start = in_pixels(drawings.to.strokes.front().from);
+    const Vec2 start = in_pixels(drawings.to.strokes.front().from);
     CHECK(distance(start, {110, 60}) < 2);
     CHECK(area(corners(drawings.to.strokes.front())) < 0); // it has changed its direction
 }
@@ -236,10 +236,10 @@ TEST_CASE("a closed stroke breaks where its parts lie next to what they become")
                                                 return back;
                                             }()}) {
         CHECK(drawings.from.strokes.front().from == scene::Point{60 * 16, 85 * 16});
-        const std::vector<std::vector<Spot>> parts = live(drawings, half);
-        for (const Spot at : parts.front())
+        const std::vector<std::vector<Vec2>> parts = live(drawings, half);
+        for (const Vec2 at : parts.front())
             CHECK(at.x < 60.1);
-        for (const Spot at : parts.back())
+        for (const Vec2 at : parts.back())
             CHECK(at.x > 59.9);
         CHECK(drawings.to.strokes.front().from == scene::Point{45 * 16, 60 * 16});
         CHECK(drawings.to.strokes.back().from == scene::Point{75 * 16, 60 * 16});
@@ -293,8 +293,8 @@ TEST_CASE("a drawing of more points than the format holds is refused")
     };
     SUBCASE("one stroke")
     {
-        const scene::Drawing most = zigzag(kfb::max_drawing_points - 1);
-        CHECK(match_by_length(most, most));
+        const scene::Drawing max = zigzag(kfb::max_drawing_points - 1);
+        CHECK(match_by_length(max, max));
         CHECK(match_by_length(crowded(60'000), zigzag(3'000)));
         CHECK(!match_by_length(crowded(60'000), zigzag(30'000)));
     }

@@ -17,7 +17,7 @@ inline MatchedDrawings matched(const scene::Drawing& a, const scene::Drawing& b)
 
 using kfast::in_pixels;
 
-inline Spot in_pixels(Point point) { return {point.x.raw() / 65536.0, point.y.raw() / 65536.0}; }
+inline Vec2 in_pixels(Point point) { return {point.x.raw() / 65536.0, point.y.raw() / 65536.0}; }
 
 inline std::vector<scene::Point> vertices(const scene::Stroke& stroke)
 {

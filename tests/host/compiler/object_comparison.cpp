@@ -34,7 +34,7 @@ private:
     void compare_live_drawing(const ItemView& read, const scene::Object& object)
     {
         compare_style(read.object.style, object);
-        CHECK(read.live.kind == LiveKind::drawing);
+        CHECK(read.live.kind == InputLeaf::drawing);
         CHECK(read.live.input == *object.live);
     }
 
@@ -42,7 +42,7 @@ private:
     {
         compare_style(read.object.style, object);
         const scene::Label& label = *object.label;
-        REQUIRE(read.live.kind == LiveKind::label);
+        REQUIRE(read.live.kind == InputLeaf::label);
         CHECK(read.live.input == label.input);
         const LabelView stored = LabelView::of(read.live.label);
         CHECK(stored.align == label.align);
@@ -94,7 +94,7 @@ private:
     void compare_keys(const ObjectView& read, const scene::Object& object)
     {
         KeyCursor keys = read.keys();
-        CHECK(keys.beats().clock() == object.clock);
+        CHECK(keys.key_times().driver() == object.driver);
         for (std::size_t i = 0; i < object.keys.size(); ++i) {
             REQUIRE(!keys.at_end());
             const Key key = keys.next();
@@ -153,7 +153,7 @@ private:
     {
         BackboneKeyCursor backbones = read.backbones.keys();
         if (object.backbone_keys.size() > 1)
-            CHECK(backbones.beats().clock() == object.clock);
+            CHECK(backbones.key_times().driver() == object.driver);
         for (const scene::BackboneKey& key : object.backbone_keys) {
             REQUIRE(!backbones.at_end());
             const BackboneKey stored = backbones.next();

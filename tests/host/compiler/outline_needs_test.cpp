@@ -132,13 +132,13 @@ TEST_CASE("what a scene costs grows with what it shows")
     CHECK(cost("bones b { bone c 0 0 60 0 }\nobject o stroke=red skin=b bone=c " + drawn) >= stroked + 256);
     CHECK(cost("object o stroke=red { wire" + line(" 0", " 30")) >=
           cost("object o stroke=red { line" + line("", " 0")) + 1000);
-    const auto label = [&cost](int most) {
-        return cost("input t kind=text max=" + std::to_string(most) +
+    const auto label = [&cost](int max) {
+        return cost("input t kind=text max=" + std::to_string(max) +
                     " default=\"0\" glyphs=\"0-9\"\nobject o fill=red { text input=t at=\"9,9\" size=20 }");
     };
     CHECK(label(60) > label(10) + 50);
-    const auto live = [&cost](int most) {
-        return cost("input d kind=drawing points=" + std::to_string(most) +
+    const auto live = [&cost](int max) {
+        return cost("input d kind=drawing points=" + std::to_string(max) +
                     " { line 0 0 9 9 }\nobject o stroke=red live=d");
     };
     CHECK(live(2048) >= live(1024) + 1024);
@@ -177,8 +177,9 @@ TEST_CASE("what is seen only when several inputs are at their ends has room")
     std::string circles;
     for (int i = 0; i < 60; ++i)
         circles += "circle " + std::to_string(4 * i) + " 50 r=9; ";
-    const auto scene = [&circles](const std::string& usual) {
-        return scene_with("input a" + usual + "; input b" + usual + "; input c" + usual +
+    const auto scene = [&circles](const std::string& default_value) {
+        return scene_with("input a" + default_value + "; input b" + default_value + "; input c" +
+                          default_value +
                           "\ngroup input=a { key 0 visible=#false; key 1 visible=#true\n"
                           "group input=b { key 0 visible=#false; key 1 visible=#true\n"
                           "group input=c { key 0 visible=#true; key 1 visible=#false\n"
@@ -232,8 +233,8 @@ TEST_CASE("outlines of too many bytes are an error at the largest object in a sy
 TEST_CASE("wires find room at any time, whatever the camera")
 {
     std::mt19937 random{5};
-    const auto any = [&random](int least, int most) {
-        return std::to_string(least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1)));
+    const auto any = [&random](int min, int max) {
+        return std::to_string(min + static_cast<int>(random() % static_cast<unsigned>(max - min + 1)));
     };
     for (int round = rounds(40); round > 0; --round) {
         std::string wires;

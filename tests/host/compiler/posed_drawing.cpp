@@ -6,12 +6,12 @@
 namespace kfast::test {
 namespace {
 
-using scene::Spot;
+using scene::Vec2;
 
 /// As far out as the player lets points of carried drawings be.
 constexpr double farthest = 4095;
 
-Spot spot_of(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
+Vec2 spot_of(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
 
 Fixed fixed(double pixels)
 {
@@ -32,8 +32,8 @@ public:
 
     Point operator()(scene::Point point, scene::Point at_rest) const
     {
-        const Spot rest = spot_of(at_rest);
-        Spot moved = spot_of(point) - rest;
+        const Vec2 rest = spot_of(at_rest);
+        Vec2 moved = spot_of(point) - rest;
         for (const scene::BoneWeight& share : *binding_)
             moved = moved + share.weight / 256.0 * motions_[share.bone](rest);
         return {fixed(moved.x), fixed(moved.y)};

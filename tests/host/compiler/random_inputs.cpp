@@ -9,21 +9,21 @@ namespace {
 
 scene::Input random_number_input(Dice& dice)
 {
-    const int least = dice.within(-90'000, 90'000);
-    const int most = dice.within(least + 1, 100'000);
-    return {dice.name(), least, most, dice.within(least, most)};
+    const int min = dice.within(-90'000, 90'000);
+    const int max = dice.within(min + 1, 100'000);
+    return {dice.name(), min, max, dice.within(min, max)};
 }
 
 scene::Input random_drawing_input(Dice& dice)
 {
-    scene::Drawing usual = random_drawing(dice);
-    for (scene::Stroke& stroke : usual.strokes)
+    scene::Drawing default_value = random_drawing(dice);
+    for (scene::Stroke& stroke : default_value.strokes)
         std::erase_if(stroke.segments, [](const scene::Segment& segment) { return segment.cubic; });
-    const std::size_t points = std::max<std::size_t>(point_count(usual), 1) + dice.below(4);
-    const std::size_t strokes = std::max<std::size_t>(usual.strokes.size(), 1);
+    const std::size_t points = std::max<std::size_t>(point_count(default_value), 1) + dice.below(4);
+    const std::size_t strokes = std::max<std::size_t>(default_value.strokes.size(), 1);
     return {.name = dice.name(),
             .type = InputType::drawing,
-            .drawing = {.strokes = strokes, .points = points, .usual = std::move(usual)}};
+            .drawing = {.strokes = strokes, .points = points, .default_value = std::move(default_value)}};
 }
 
 template <class Key>
@@ -51,7 +51,7 @@ public:
     {
         for (scene::Bone& bone : bones)
             if (std::ranges::all_of(bone.keys, lie_on_input<scene::TrackKey>))
-                bone.clock = any_clock();
+                bone.driver = any_driver();
     }
 
     void bind(std::vector<scene::Item>& items)
@@ -59,7 +59,7 @@ public:
         for (scene::Item& item : items) {
             for (scene::Track& track : item.tracks)
                 if (lie_on_input(track.keys))
-                    track.clock = any_clock();
+                    track.driver = any_driver();
             if (auto* group = std::get_if<scene::Group>(&item.content))
                 bind(group->items);
             else if (auto* object = std::get_if<scene::Object>(&item.content))
@@ -78,15 +78,15 @@ private:
             object.live = texts_ + numbers_ + dice_.below(drawings_);
         } else if (object.keys.size() > 1 && lie_on_input(object.keys) &&
                    lie_on_input(object.backbone_keys)) {
-            object.clock = any_clock();
+            object.driver = any_driver();
         }
     }
 
     /// The time, or a number.
-    Clock any_clock()
+    Driver any_driver()
     {
-        const std::size_t clock = dice_.below(numbers_ + 1);
-        return {static_cast<std::uint8_t>(clock == 0 ? 0 : texts_ + clock)};
+        const std::size_t driver = dice_.below(numbers_ + 1);
+        return {static_cast<std::uint8_t>(driver == 0 ? 0 : texts_ + driver)};
     }
 
     Dice& dice_;

@@ -7,8 +7,8 @@ namespace {
 
 VelocityLaw random_law(Dice& dice)
 {
-    const auto control = [&dice](int least, int most) {
-        return static_cast<std::int16_t>(dice.within(least, most));
+    const auto control = [&dice](int min, int max) {
+        return static_cast<std::int16_t>(dice.within(min, max));
     };
     const auto x = [&] { return control(0, VelocityLaw::control_one); };
     const auto y = [&] { return control(VelocityLaw::lowest_y, VelocityLaw::highest_y); };

@@ -7,7 +7,7 @@
 namespace kfast::test {
 namespace {
 
-constexpr std::size_t most_texts = 8;
+constexpr std::size_t max_texts = 8;
 
 void give_look(Dice& dice, scene::Object& object, std::size_t colours)
 {
@@ -38,13 +38,14 @@ void give_keys(Dice& dice, scene::Object& object)
 
 scene::TextInput random_text(Dice& dice)
 {
-    scene::TextInput text{.glyphs = {}, .most = static_cast<std::uint32_t>(dice.within(1, 12)), .usual = {}};
+    scene::TextInput text{
+        .glyphs = {}, .max = static_cast<std::uint32_t>(dice.within(1, 12)), .default_value = {}};
     char32_t character = U' ';
     for (int left = dice.within(1, 9); left > 0;
          --left, character += static_cast<char32_t>(dice.within(1, 3)))
         text.glyphs += character;
-    for (int left = dice.within(0, static_cast<int>(text.most)); left > 0; --left)
-        text.usual += text.glyphs[dice.below(text.glyphs.size())];
+    for (int left = dice.within(0, static_cast<int>(text.max)); left > 0; --left)
+        text.default_value += text.glyphs[dice.below(text.glyphs.size())];
     return text;
 }
 
@@ -67,7 +68,7 @@ scene::Label random_label(Dice& dice, std::size_t input, std::size_t glyphs)
 
 void show_text(Dice& dice, scene::Object& object, std::vector<scene::Input>& inputs)
 {
-    if (inputs.size() == most_texts)
+    if (inputs.size() == max_texts)
         return;
     const scene::TextInput text = random_text(dice);
     object.keys.clear();

@@ -1,4 +1,4 @@
-#include "core/pose/live_bones.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "host/compiler/compile.hpp"
 #include "tests/core/moved_scene.hpp"
 
@@ -13,12 +13,12 @@
 namespace kfast::test {
 namespace {
 
-struct Spot {
+struct Vec2 {
     double x;
     double y;
 };
 
-std::string target_text(int frame, Spot spot)
+std::string target_text(int frame, Vec2 spot)
 {
     std::string text{"at "};
     return text.append(std::to_string(frame))
@@ -58,8 +58,8 @@ TEST_CASE("the player takes the tip within 1/16 px of its target")
         return std::uniform_real_distribution<double>{low, high}(random);
     };
     for (int round = 0; round < 60; ++round) {
-        const Spot from{within(70, 130), within(90, 190)};
-        const Spot to{within(70, 130), within(90, 190)};
+        const Vec2 from{within(70, 130), within(90, 190)};
+        const Vec2 to{within(70, 130), within(90, 190)};
         const std::vector<std::byte> bytes =
             compiled(round % 2 == 0 ? "left" : "right", target_text(0, from) + target_text(30, to));
         const auto scene = SceneView::parse(bytes);

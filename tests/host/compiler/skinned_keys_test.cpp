@@ -49,7 +49,7 @@ private:
     const SceneView& scene_;
     ObjectView object_;
     MovedScene moved_;
-    std::span<const LiveBone> bones_;
+    std::span<const PosedBone> bones_;
 };
 
 double pixels(Fixed value) { return static_cast<double>(value.raw()) / Fixed::one; }

@@ -59,7 +59,7 @@ void compare_track(const SceneView& view, const TrackView& read, const scene::Tr
         return;
     }
     REQUIRE(read.is_smooth == track.is_smooth);
-    CHECK(read.keys.beats().clock() == track.clock);
+    CHECK(read.keys.key_times().driver() == track.driver);
     TrackKeyCursor keys = read.keys;
     for (const scene::TrackKey& key : track.keys) {
         REQUIRE(!keys.at_end());

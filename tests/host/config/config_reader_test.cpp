@@ -151,7 +151,7 @@ TEST_CASE("a beam and its bus go together")
 TEST_CASE("what is left out is as in the usual module")
 {
     const BoardSettings tft = read("board pico { panel st7735; bus spi; pins clock=18 data=19 dc=16 }");
-    CHECK(tft.panel == facts_of(Controller::st7735).usual);
+    CHECK(tft.panel == facts_of(Controller::st7735).default_value);
     CHECK(tft.bus_clock == 15'150'000);
     CHECK(tft.pin(PinRole::reset) == no_pin);
     CHECK(tft.clip == StoredName{});

@@ -11,7 +11,7 @@ std::string said_of(const BoardSettings& settings)
     std::string all;
     for (const SettingsMistake& mistake : config::mistakes(settings)) {
         const config::Finding finding = config::text_of(mistake, settings);
-        all += finding.message + ": " + finding.remedy + '\n';
+        all += finding.message + ": " + finding.hint + '\n';
     }
     return all;
 }

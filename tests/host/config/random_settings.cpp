@@ -134,32 +134,29 @@ Control random_control(Draw& draw)
 
 void draw_controls(Draw& draw, BoardSettings& settings)
 {
-    const int most = draw.number(0, BoardSettings::most_controls);
+    const int max = draw.number(0, BoardSettings::max_controls);
     auto next = settings.controls.begin();
-    for (int i = 0; i < most; ++i)
+    for (int i = 0; i < max; ++i)
         if (const Control control = random_control(draw); control.pin != no_pin)
             *next++ = control;
 }
 
 std::uint8_t random_points(Draw& draw) { return static_cast<std::uint8_t>(draw.number(0, 255)); }
 
-std::int16_t random_place(Draw& draw)
-{
-    return static_cast<std::int16_t>(draw.number(field_least, field_most));
-}
+std::int16_t random_place(Draw& draw) { return static_cast<std::int16_t>(draw.number(field_min, field_max)); }
 
-BeamProfile random_beam(Draw& draw, std::uint32_t most_points)
+BeamProfile random_beam(Draw& draw, std::uint32_t max_points)
 {
     BeamProfile beam;
-    beam.rate = static_cast<std::uint32_t>(draw.number(1000, static_cast<int>(most_points)));
+    beam.rate = static_cast<std::uint32_t>(draw.number(1000, static_cast<int>(max_points)));
     beam.lit_step = static_cast<std::uint16_t>(draw.number(1, 65'535));
     beam.travel_step = static_cast<std::uint16_t>(draw.number(0, 65'535));
     for (std::uint8_t* points :
          {&beam.corner_dwell, &beam.lit_dwell, &beam.arrival_dwell, &beam.leave_dwell, &beam.light_delay})
         *points = random_points(draw);
-    constexpr int least_points = 16; // of a picture
-    const int most_refresh = std::min(255, static_cast<int>(beam.rate) / least_points);
-    beam.least_refresh = static_cast<std::uint8_t>(draw.number(1, most_refresh));
+    constexpr int min_points = 16; // of a picture
+    const int max_refresh = std::min(255, static_cast<int>(beam.rate) / min_points);
+    beam.min_refresh = static_cast<std::uint8_t>(draw.number(1, max_refresh));
     beam.resolution = static_cast<std::uint16_t>(64 << draw.number(0, 6));
     beam.brightness = static_cast<BeamBrightness>(draw.number(0, 2));
     beam.park = {random_place(draw), random_place(draw)};
@@ -172,8 +169,8 @@ void draw_beam(Draw& draw, BoardSettings& settings)
     constexpr int slowest = 1'000'000; // which carries 1000 points a second
     settings.bus = BusKind::dac;
     settings.bus_clock =
-        static_cast<std::uint32_t>(draw.number(slowest, static_cast<int>(clock_range(BusKind::dac).most)));
-    settings.beam = random_beam(draw, rp2040::most_points(settings.bus_clock));
+        static_cast<std::uint32_t>(draw.number(slowest, static_cast<int>(clock_range(BusKind::dac).max)));
+    settings.beam = random_beam(draw, rp2040::max_points(settings.bus_clock));
     for (const PinRole role : {PinRole::clock, PinRole::data, PinRole::select, PinRole::ldac, PinRole::blank})
         settings.pin(role) = draw.pin();
     if (settings.beam.is_laser)
@@ -193,8 +190,8 @@ BoardSettings random_settings(std::mt19937& random)
     settings.panel = random_panel(draw);
     settings.bus = random_bus(draw, settings.panel.controller);
     const ClockRange clocks = clock_range(settings.bus);
-    settings.bus_clock = static_cast<std::uint32_t>(
-        draw.number(static_cast<int>(clocks.least), static_cast<int>(clocks.most)));
+    settings.bus_clock =
+        static_cast<std::uint32_t>(draw.number(static_cast<int>(clocks.min), static_cast<int>(clocks.max)));
     settings.i2c_address = static_cast<std::uint8_t>(draw.number(0x08, 0x77));
     draw_bus_pins(draw, settings);
     draw_other_pins(draw, settings);

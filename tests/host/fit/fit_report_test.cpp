@@ -110,10 +110,10 @@ TEST_CASE("a scene whose pictures are all late while its inputs move is too slow
 
 TEST_CASE("texts are looked at full of the letters that cost most, all of them changing")
 {
-    const auto frames_of = [](const std::string& glyphs, int most) {
+    const auto frames_of = [](const std::string& glyphs, int max) {
         const auto bytes =
             test::compiled("kfast 1\ncanvas 60 40 frames=10\ninput t kind=text glyphs=\"" + glyphs +
-                           "\" max=" + std::to_string(most) +
+                           "\" max=" + std::to_string(max) +
                            "\nobject a stroke=red { text input=t at=\"2,30\" size=20 font=hershey-sans }\n");
         return report_of(bytes).speed;
     };

@@ -24,7 +24,7 @@ void check_names(const std::vector<OtherName>& others)
     std::set<std::string> all;
     for (const OtherName& other : others) {
         CHECK_FALSE(other.what.empty());
-        CHECK_FALSE(other.remedy.empty());
+        CHECK_FALSE(other.hint.empty());
         std::istringstream names{std::string{other.names}};
         for (std::string name; names >> name;) {
             CAPTURE(name);

@@ -10,7 +10,7 @@ TEST_CASE("a Pico has the display and the bus of its settings")
 {
     for (std::size_t number = 0; number < controller_names.size(); ++number) {
         BoardSettings settings;
-        settings.panel = controller_facts[number].usual;
+        settings.panel = controller_facts[number].default_value;
         settings.panel.rotation = Rotation::quarter;
         settings.bus = kfast::BusKind::parallel_8;
         settings.bus_clock = 3'000'000;

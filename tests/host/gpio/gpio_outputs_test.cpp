@@ -66,13 +66,13 @@ TEST_CASE("as many lines as there may be are set at once")
     GpioBench bench;
     bench.add_chip("gpiochip0", "label wide\nlines 40\n");
     std::vector<GpioLine> lines;
-    for (std::size_t i = 0; i < GpioOutputs::most_lines; ++i)
+    for (std::size_t i = 0; i < GpioOutputs::max_lines; ++i)
         lines.push_back({std::to_string(i + 8), i % 2 == 0});
     GpioOutputs outputs{"", lines};
     bench.happened();
     outputs.set(0xFFFF'FFFF, 0xAAAA'AAAA);
     const Happened happened = bench.happened();
-    REQUIRE(happened.size() == GpioOutputs::most_lines);
+    REQUIRE(happened.size() == GpioOutputs::max_lines);
     CHECK(happened.front() == "line gpiochip0 8 0");
     CHECK(happened.back() == "line gpiochip0 39 1");
 }

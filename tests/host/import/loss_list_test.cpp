@@ -52,7 +52,7 @@ TEST_CASE("names of layers do nothing to a terminal")
 TEST_CASE("what is beyond the list counts")
 {
     art::Losses losses;
-    for (std::size_t number = 0; number < art::Losses::most + 5; ++number)
+    for (std::size_t number = 0; number < art::Losses::max + 5; ++number)
         losses.add({"f", std::to_string(number), std::nullopt, "i"});
     CHECK(loss_count(losses) == "1005 things are not carried over");
     CHECK(loss_list(losses, ListLength::cut).ends_with("\n  and 5 more, too many to keep"));

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 using kfast::test::errors;
+using kfast::test::hint;
 using kfast::test::reading;
-using kfast::test::remedy;
 
 TEST_CASE("the spaces of the closing line are taken from every line")
 {
@@ -68,7 +68,7 @@ TEST_CASE("the opening quotes end their line")
     CHECK(errors("n \"\"\" \na\n\"\"\"") == "1:3: text follows the opening \"\"\" on its line\n");
     CHECK(errors("n \"\"\"\\\na\n\"\"\"") == "1:3: text follows the opening \"\"\" on its line\n");
     CHECK(errors("n #\"\"\"#") == "1:3: text follows the opening \"\"\" on its line\n");
-    CHECK(remedy("n \"\"\"a\"\"\"") == "begin a new line after it, or use \" for a text of one line");
+    CHECK(hint("n \"\"\"a\"\"\"") == "begin a new line after it, or use \" for a text of one line");
 }
 
 TEST_CASE("the closing quotes stand on a line of their own")
@@ -89,7 +89,7 @@ TEST_CASE("a string of several lines must be closed")
 {
     CHECK(errors("a\nn \"\"\"\nb {\n") == "2:3: this string is not closed\n");
     CHECK(errors("n #\"\"\"\nb\n\"\"\"") == "1:3: this string is not closed\n");
-    CHECK(remedy("n \"\"\"\n") ==
+    CHECK(hint("n \"\"\"\n") ==
           "add a closing \"\"\" on a line of its own, with as many # after it as before");
 }
 

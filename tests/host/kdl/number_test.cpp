@@ -9,7 +9,7 @@
 
 using namespace kfast;
 using kfast::test::errors;
-using kfast::test::remedy;
+using kfast::test::hint;
 
 namespace {
 
@@ -90,7 +90,7 @@ TEST_CASE("infinity and not-a-number are keywords")
 TEST_CASE("what begins like a number must be one")
 {
     CHECK(errors("n 1a") == "1:3: \"1a\" begins like a number but is none\n");
-    CHECK(remedy("n 1.2.3") == "put a text that begins with a digit in quotes");
+    CHECK(hint("n 1.2.3") == "put a text that begins with a digit in quotes");
     CHECK(errors("n 1.2.3") == "1:3: \"1.2.3\" begins like a number but is none\n");
     CHECK(errors("n 1e2e3") == "1:3: \"1e2e3\" begins like a number but is none\n");
     CHECK(errors("n 1e2.5") == "1:3: \"1e2.5\" begins like a number but is none\n");
@@ -101,39 +101,39 @@ TEST_CASE("what begins like a number must be one")
 
 TEST_CASE("a unit stands before its number, if there is one")
 {
-    CHECK(remedy("n 10px") == "write 10 alone, or put a text that begins with a digit in quotes");
-    CHECK(remedy("n -4.5°") == "write -4.5 alone, or put a text that begins with a digit in quotes");
-    CHECK(remedy("n 50%") == "write the share, like 0.5 for 50%");
-    CHECK(remedy("n 500ms") == "write (ms)500: a unit stands before its number");
-    CHECK(remedy("n 1.5s") == "write (s)1.5: a unit stands before its number");
+    CHECK(hint("n 10px") == "write 10 alone, or put a text that begins with a digit in quotes");
+    CHECK(hint("n -4.5°") == "write -4.5 alone, or put a text that begins with a digit in quotes");
+    CHECK(hint("n 50%") == "write the share, like 0.5 for 50%");
+    CHECK(hint("n 500ms") == "write (ms)500: a unit stands before its number");
+    CHECK(hint("n 1.5s") == "write (s)1.5: a unit stands before its number");
 }
 
 TEST_CASE("commas between numbers are pointed out")
 {
-    CHECK(remedy("n 1,5") == "write 1.5 for a fraction, 1 5 for two numbers");
-    CHECK(remedy("n -10,20") == "write -10.20 for a fraction, -10 20 for two numbers");
-    CHECK(remedy("n 1.5,2") == "separate values by spaces alone, without commas");
-    CHECK(remedy("n 1,2,3") == "separate values by spaces alone, without commas");
+    CHECK(hint("n 1,5") == "write 1.5 for a fraction, 1 5 for two numbers");
+    CHECK(hint("n -10,20") == "write -10.20 for a fraction, -10 20 for two numbers");
+    CHECK(hint("n 1.5,2") == "separate values by spaces alone, without commas");
+    CHECK(hint("n 1,2,3") == "separate values by spaces alone, without commas");
     CHECK(errors("n 1, 2, 3") == "1:3: \"1,\" begins like a number but is none\n");
-    CHECK(remedy("n 1, 2, 3") == "separate values by spaces alone, without commas");
+    CHECK(hint("n 1, 2, 3") == "separate values by spaces alone, without commas");
 }
 
 TEST_CASE("a point stands between digits")
 {
     CHECK(errors("n .5") == "1:3: a number cannot begin with its point\n");
     CHECK(errors("n -.5") == "1:3: a number cannot begin with its point\n");
-    CHECK(remedy("n .5") == "write a 0 before the point");
+    CHECK(hint("n .5") == "write a 0 before the point");
     CHECK(errors("n 1.") == "1:3: no digit follows the point of this number\n");
     CHECK(errors("n 1.e5") == "1:3: no digit follows the point of this number\n");
     CHECK(errors("n 1._5") == "1:3: no digit follows the point of this number\n");
-    CHECK(remedy("n 1.") == "write a 0 after the point or leave the point out");
+    CHECK(hint("n 1.") == "write a 0 after the point or leave the point out");
 }
 
 TEST_CASE("an exponent has digits")
 {
     CHECK(errors("n 1e") == "1:3: no digit follows the e of this number\n");
     CHECK(errors("n 1e+") == "1:3: no digit follows the e of this number\n");
-    CHECK(remedy("n 1e") == "write a whole exponent, as in 1e3 or 1e-3");
+    CHECK(hint("n 1e") == "write a whole exponent, as in 1e3 or 1e-3");
 }
 
 TEST_CASE("other radices have their own digits")
@@ -144,13 +144,13 @@ TEST_CASE("other radices have their own digits")
     CHECK(errors("n 0x1.5") == "1:3: \"0x1.5\" is not a hexadecimal number\n");
     CHECK(errors("n 0o8") == "1:3: \"0o8\" is not an octal number\n");
     CHECK(errors("n 0b12") == "1:3: \"0b12\" is not a binary number\n");
-    CHECK(remedy("n 0b12") == "after 0b come the digits 0 and 1; a _ may stand after a digit");
+    CHECK(hint("n 0b12") == "after 0b come the digits 0 and 1; a _ may stand after a digit");
 }
 
 TEST_CASE("hexadecimal numbers end at 1000 digits, leading zeros not counted")
 {
-    const std::string most(1000, 'f');
-    CHECK(number("0x000" + most).canonical.size() == 1205);
-    CHECK(errors("n 0x" + most + "f") == "1:3: this number has more than 1000 digits\n");
-    CHECK(remedy("n 0x" + most + "f") == "write it in decimal");
+    const std::string max(1000, 'f');
+    CHECK(number("0x000" + max).canonical.size() == 1205);
+    CHECK(errors("n 0x" + max + "f") == "1:3: this number has more than 1000 digits\n");
+    CHECK(hint("n 0x" + max + "f") == "write it in decimal");
 }

@@ -10,7 +10,7 @@ struct Reading {
     std::string text;
     kdl::Node node;
 
-    std::string at(Place place) const { return text.substr(place.offset, place.length); }
+    std::string at(SourceSpan place) const { return text.substr(place.offset, place.length); }
 };
 
 Reading first_node(std::string text)
@@ -26,15 +26,15 @@ Reading first_node(std::string text)
 TEST_CASE("names and values know their places, with quotes and types")
 {
     const Reading it = first_node("// x\n(kind)\"a node\" ( ms ) 500 \"b\\n\" größe = (deg)90 { c }");
-    CHECK(it.at(it.node.name_place) == "\"a node\"");
+    CHECK(it.at(it.node.name_span) == "\"a node\"");
     CHECK(it.at(it.node.arguments[0].place) == "( ms ) 500");
     CHECK(it.at(it.node.arguments[1].place) == "\"b\\n\"");
-    CHECK(it.at(it.node.properties[0].name_place) == "größe");
+    CHECK(it.at(it.node.properties[0].name_span) == "größe");
     CHECK(it.at(it.node.properties[0].value.place) == "(deg)90");
-    CHECK(it.at(it.node.children[0].name_place) == "c");
+    CHECK(it.at(it.node.children[0].name_span) == "c");
 }
 
-TEST_CASE("a byte order mark counts in places") { CHECK(first_node("\uFEFFab").node.name_place.offset == 3); }
+TEST_CASE("a byte order mark counts in places") { CHECK(first_node("\uFEFFab").node.name_span.offset == 3); }
 
 TEST_CASE("a string that stands in the source as it is knows where")
 {

@@ -33,12 +33,12 @@ std::string errors(std::string_view text)
     return listed(diagnostics, text);
 }
 
-std::string remedy(std::string_view text)
+std::string hint(std::string_view text)
 {
     Diagnostics diagnostics;
     kdl::parse(text, diagnostics);
     const auto found = diagnostics.sorted();
-    return found.empty() ? "nothing is found" : found.front().remedy;
+    return found.empty() ? "nothing is found" : found.front().hint;
 }
 
 }

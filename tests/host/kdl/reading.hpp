@@ -12,6 +12,6 @@ std::string reading(std::string_view text);
 std::string errors(std::string_view text);
 
 /// The remedy of the first of them.
-std::string remedy(std::string_view text);
+std::string hint(std::string_view text);
 
 }

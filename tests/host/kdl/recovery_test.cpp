@@ -7,7 +7,7 @@
 
 using namespace kfast;
 using kfast::test::errors;
-using kfast::test::remedy;
+using kfast::test::hint;
 
 namespace {
 
@@ -59,11 +59,11 @@ TEST_CASE("an unclosed block is the only error about its end")
 
 TEST_CASE("what is not indented under an unclosed block tells where its end is missing")
 {
-    CHECK(remedy("a {\n b\n") == "add a closing }");
-    CHECK(remedy("a {\n b\nc\n") == "add a closing }, perhaps before line 3");
-    CHECK(remedy("a {\n\tb {\n\t\tc\n\td {\n\t}\n}\n") == "add a closing }");
-    CHECK(remedy("a {\r\n b {\r\n  c\r\n}\r\nd {\r\n}") == "add a closing }, perhaps before line 5");
-    CHECK(remedy("a { b; c") == "add a closing }");
+    CHECK(hint("a {\n b\n") == "add a closing }");
+    CHECK(hint("a {\n b\nc\n") == "add a closing }, perhaps before line 3");
+    CHECK(hint("a {\n\tb {\n\t\tc\n\td {\n\t}\n}\n") == "add a closing }");
+    CHECK(hint("a {\r\n b {\r\n  c\r\n}\r\nd {\r\n}") == "add a closing }, perhaps before line 5");
+    CHECK(hint("a { b; c") == "add a closing }");
 }
 
 TEST_CASE("a string without an end hides the rest, and nothing is said about it")

@@ -6,8 +6,8 @@
 
 using namespace kfast;
 using kfast::test::errors;
+using kfast::test::hint;
 using kfast::test::reading;
-using kfast::test::remedy;
 
 namespace {
 
@@ -73,9 +73,9 @@ TEST_CASE("escaped white space vanishes, new lines included")
 TEST_CASE("wrong escapes are pointed at")
 {
     CHECK(errors(R"(n "a\q")") == "1:5: \\q means nothing in a string\n");
-    CHECK(remedy(R"(n "a\q")") == "write \\\\ for a \\ in the text");
+    CHECK(hint(R"(n "a\q")") == "write \\\\ for a \\ in the text");
     CHECK(errors(R"(n "\/")") == "1:4: \\/ means nothing in a string\n");
-    CHECK(remedy(R"(n "\/")") == "write / as it is");
+    CHECK(hint(R"(n "\/")") == "write / as it is");
     CHECK(errors("n \"\\ß\"") == "1:4: \\ß means nothing in a string\n");
     CHECK(errors(R"(n "\N")") == "1:4: \\N means nothing in a string\n");
 }
@@ -108,18 +108,18 @@ TEST_CASE("raw strings hold escapes and quotes as they are")
 TEST_CASE("a string must be closed on its line")
 {
     CHECK(errors("n \"abc") == "1:3: this string is not closed on its line\n");
-    CHECK(remedy("n \"abc") == "add a closing \", or use \"\"\" for a text of several lines");
+    CHECK(hint("n \"abc") == "add a closing \", or use \"\"\" for a text of several lines");
     CHECK(errors("n \"abc\\\"\nm") == "1:3: this string is not closed on its line\n");
     CHECK(errors("n \"abc\\") == "1:3: this string is not closed on its line\n");
     CHECK(errors("n #\"abc\"\nm") == "1:3: this string is not closed on its line\n");
-    CHECK(remedy("n ##\"abc\"#\nm") == "add a closing \" with 2 # after it");
+    CHECK(hint("n ##\"abc\"#\nm") == "add a closing \" with 2 # after it");
     CHECK(errors("n \"a\u2028b") == "1:3: this string is not closed on its line\n");
 }
 
 TEST_CASE("reserved words need # or quotes")
 {
     CHECK(errors("n true") == "1:3: \"true\" is not a value\n");
-    CHECK(remedy("n true") == "write #true, or \"true\" for a text");
+    CHECK(hint("n true") == "write #true, or \"true\" for a text");
     for (const char* word : {"false", "null", "inf", "-inf", "nan"}) {
         CHECK(errors(std::string("n ") + word) == "1:3: \"" + std::string(word) + "\" is not a value\n");
         CHECK(errors(word) == "1:1: \"" + std::string(word) + "\" is not a value\n");
@@ -130,13 +130,13 @@ TEST_CASE("the raw strings of KDL 1 are refused with the new form")
 {
     CHECK(errors("n r\"a\\b\"") == "1:3: a raw string does not begin with r\n");
     CHECK(errors("n r#\"a\"#") == "1:3: a raw string does not begin with r\n");
-    CHECK(remedy("n r\"a\"") == "write #\"...\"#, as KDL 2.0 does");
+    CHECK(hint("n r\"a\"") == "write #\"...\"#, as KDL 2.0 does");
     CHECK(reading("n r \"a\"") == "n r a\n");
 }
 
 TEST_CASE("a # begins a keyword or a raw string")
 {
-    CHECK(remedy("n #maybe").starts_with("a text with a # needs quotes: \"#maybe\";"));
+    CHECK(hint("n #maybe").starts_with("a text with a # needs quotes: \"#maybe\";"));
     CHECK(errors("n #maybe") == "1:3: \"#maybe\" is not a keyword\n");
     CHECK(errors("n #TRUE") == "1:3: \"#TRUE\" is not a keyword\n");
     CHECK(errors("n ##true") == "1:3: \"##true\" is not a keyword\n");
@@ -147,6 +147,6 @@ TEST_CASE("a # begins a keyword or a raw string")
 TEST_CASE("typographic quotes are letters, which is hardly meant")
 {
     CHECK(errors("n \u201Cred\u201D") == "1:3: \u201C is read as a letter\n");
-    CHECK(remedy("n a=\u2018red\u2019") == "write \" around a text");
+    CHECK(hint("n a=\u2018red\u2019") == "write \" around a text");
     CHECK(errors("n \u00E9").empty());
 }

@@ -54,7 +54,7 @@ TEST_CASE("a comment must be closed")
 {
     CHECK(errors("a\n /* b /* c */ \n") == "2:2: this comment is not closed\n");
     CHECK(errors("a /*/") == "1:3: this comment is not closed\n");
-    CHECK(kfast::test::remedy("/*") == "add a closing */");
+    CHECK(kfast::test::hint("/*") == "add a closing */");
 }
 
 TEST_CASE("a byte order mark may begin a text")

@@ -68,8 +68,8 @@ public:
         return {.input = number,
                 .takes = link::input_kind(input.type),
                 .name = {input.name},
-                .least = input.least,
-                .most = input.most};
+                .min = input.min,
+                .max = input.max};
     }
 
 private:

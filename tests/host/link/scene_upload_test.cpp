@@ -17,7 +17,7 @@ using namespace link;
 
 namespace {
 
-const TellProgress nobody = [](std::size_t) {};
+const ByteProgressCallback nobody = [](std::size_t) {};
 
 Scene in_slot(LinkBench& bench, std::uint8_t slot)
 {

@@ -171,8 +171,8 @@ TEST_CASE("a device of another version of the link is not asked anything more")
             FAIL("it is not understood");
         } catch (const kfast::Failure& failure) {
             CHECK(failure.status() == ExitStatus::wrong_version);
-            const std::string remedy = version == 0 ? "update the firmware" : "update kfast";
-            CHECK(std::string{failure.what()}.find(remedy) != std::string::npos);
+            const std::string hint = version == 0 ? "update the firmware" : "update kfast";
+            CHECK(std::string{failure.what()}.find(hint) != std::string::npos);
         }
         CHECK(requests == 1);
     }

@@ -17,12 +17,12 @@ art::Transform transform(const std::string& ks, const std::string& more = "")
 }
 
 /// As Lottie has it, computed apart: x to the right, y down.
-scene::Spot lottie_spot(scene::Spot spot, double scale_x, double scale_y, double skew, double axis,
+scene::Vec2 lottie_spot(scene::Vec2 spot, double scale_x, double scale_y, double skew, double axis,
                         double turn)
 {
     constexpr double degree = std::numbers::pi / 180;
-    const auto rotated = [](scene::Spot s, double angle) {
-        return scene::Spot{s.x * std::cos(angle) - s.y * std::sin(angle),
+    const auto rotated = [](scene::Vec2 s, double angle) {
+        return scene::Vec2{s.x * std::cos(angle) - s.y * std::sin(angle),
                            s.x * std::sin(angle) + s.y * std::cos(angle)};
     };
     spot = {spot.x * scale_x, spot.y * scale_y};
@@ -88,10 +88,10 @@ TEST_CASE("a position with tangents is a path, and its keys are shares of the le
     CHECK(keys[3].value == 1);
     // The curve is as long as a parabola of that height: computed by 100,000 chords.
     double length = 0;
-    scene::Spot at;
+    scene::Vec2 at;
     for (int i = 1; i <= 100'000; ++i) {
         const double t = i / 100'000.0;
-        const scene::Spot next{40 * t * t * (3 - 2 * t), -90 * t * (1 - t)};
+        const scene::Vec2 next{40 * t * t * (3 - 2 * t), -90 * t * (1 - t)};
         length += distance(at, next);
         at = next;
     }
@@ -114,15 +114,15 @@ TEST_CASE("a layer that points along its path has one, straight or not")
               losses);
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].feature == "orientation along a split position");
-    CHECK(matrix_at(turning, 5).of(scene::Spot{1, 0}).y == doctest::Approx(21));
+    CHECK(matrix_at(turning, 5).of(scene::Vec2{1, 0}).y == doctest::Approx(21));
 }
 
 TEST_CASE("a layer leans as in Lottie, also where its scales differ")
 {
     const art::Transform result =
         transform(R"("s": {"k": [200, 50]}, "sk": {"k": 30}, "sa": {"k": 20}, "r": {"k": 10})");
-    for (const scene::Spot spot : {scene::Spot{1, 0}, scene::Spot{0, 1}}) {
-        const scene::Spot expected = lottie_spot(spot, 2, 0.5, 30, 20, 10);
+    for (const scene::Vec2 spot : {scene::Vec2{1, 0}, scene::Vec2{0, 1}}) {
+        const scene::Vec2 expected = lottie_spot(spot, 2, 0.5, 30, 20, 10);
         CHECK(matrix_at(result, 0).of(spot).x == doctest::Approx(expected.x));
         CHECK(matrix_at(result, 0).of(spot).y == doctest::Approx(expected.y));
     }
@@ -136,10 +136,10 @@ TEST_CASE("a layer leans as in Lottie while its scales, its turn and its lean ch
     for (const double time : {0.0, 2.5, 8.0, 15.0, 20.0}) {
         const double growth = std::min(time / 10, 1.0);
         const double turn = time < 5 ? 0 : (time - 5) * 4;
-        const scene::Spot expected = lottie_spot({10, 10}, 1 + growth, 1 - growth / 2, time * 2, 0, turn);
-        CHECK(matrix_at(result, time).of(scene::Spot{10, 10}).x ==
+        const scene::Vec2 expected = lottie_spot({10, 10}, 1 + growth, 1 - growth / 2, time * 2, 0, turn);
+        CHECK(matrix_at(result, time).of(scene::Vec2{10, 10}).x ==
               doctest::Approx(expected.x).epsilon(0.002));
-        CHECK(matrix_at(result, time).of(scene::Spot{10, 10}).y ==
+        CHECK(matrix_at(result, time).of(scene::Vec2{10, 10}).y ==
               doctest::Approx(expected.y).epsilon(0.002));
     }
 }

@@ -64,7 +64,7 @@ TEST_CASE("a clip has the frames from its beginning on")
 
 TEST_CASE("a speed changes the number of frames and their times")
 {
-    const Stretch ten{{}, Time::frame(10), Loop::repeat};
+    const PlayRange ten{{}, Time::frame(10), Loop::repeat};
     const Timeline half{30000, ten, Playhead::as_authored / 2};
     CHECK(half.frame_count() == 20);
     CHECK(half.frame_time(3).ticks == 1536);

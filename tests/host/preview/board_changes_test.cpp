@@ -42,7 +42,7 @@ template <Panel P>
 void check_against_simulator(Controller controller)
 {
     const NamedScene scene{ball};
-    SimulatedBoard<NotingPanel<P>> board{scene.bytes(), facts_of(controller).usual, 0};
+    SimulatedBoard<NotingPanel<P>> board{scene.bytes(), facts_of(controller).default_value, 0};
     const Size panel = board.panel().size();
     Player player = *Player::create(scene.view(), panel, Fit::contain, board.block());
     begin_panel(board);

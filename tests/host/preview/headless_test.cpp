@@ -15,7 +15,7 @@
 namespace kfast::test {
 namespace {
 
-Programme programme(std::uint32_t rate, const Stretch& stretch)
+Programme programme(std::uint32_t rate, const PlayRange& stretch)
 {
     static const std::vector<std::byte> events =
         event_bytes({{"begin", Time{0}}, {"late\n", {9 * 1024 + 512}}});

@@ -33,7 +33,7 @@ public:
         return source_.show(moment);
     }
     void set_input(std::uint32_t, Time) override {}
-    bool set_drawing(std::uint32_t, std::span<const LiveStroke>) override { return true; }
+    bool set_drawing(std::uint32_t, std::span<const InputStroke>) override { return true; }
     void set_text(std::uint32_t, std::string_view) override {}
 
     std::vector<int> shown;

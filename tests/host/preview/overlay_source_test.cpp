@@ -138,7 +138,7 @@ TEST_CASE("labels keep apart, the nearer the larger the pixels, and are bounded"
     std::size_t taken = 0;
     for (int i = 0; i < 1000; ++i)
         taken += many.take({i * 5.0, 0}, "7") ? 1 : 0;
-    CHECK(taken == LabelPlaces::most);
+    CHECK(taken == LabelPlaces::max);
 }
 
 TEST_CASE("an object with very many points has no more marks than can be told apart")
@@ -150,8 +150,8 @@ TEST_CASE("an object with very many points has no more marks than can be told ap
                            "\" }\nobject b stroke=red width=1 { path \"" + path + "\" }\n"};
     OverlaySource source{{scene.view(), {100, 60}}};
     const Overlay& overlay = source.show({}, {.numbers = true});
-    CHECK(overlay.dots.size() == OverlayMarks::most_dots);
-    CHECK(overlay.labels.size() <= LabelPlaces::most);
+    CHECK(overlay.dots.size() == OverlayMarks::max_dots);
+    CHECK(overlay.labels.size() <= LabelPlaces::max);
 }
 
 }

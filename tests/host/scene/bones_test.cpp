@@ -58,10 +58,10 @@ TEST_CASE("what rounding loses does not add up along a chain")
     std::uniform_real_distribution<double> step{-40, 40};
     std::ostringstream text;
     text.precision(9);
-    std::vector<scene::Spot> spots{{50, 50}};
+    std::vector<scene::Vec2> spots{{50, 50}};
     for (int i = 0; i < 100; ++i) {
-        spots.push_back(i % 2 == 0 ? spots.back() + scene::Spot{step(random), step(random)}
-                                   : scene::Spot{step(random), step(random)});
+        spots.push_back(i % 2 == 0 ? spots.back() + scene::Vec2{step(random), step(random)}
+                                   : scene::Vec2{step(random), step(random)});
         text << "bone b" << i << ' ' << spots[spots.size() - 2].x << ' ' << spots[spots.size() - 2].y << ' '
              << spots.back().x << ' ' << spots.back().y;
         if (i != 0)

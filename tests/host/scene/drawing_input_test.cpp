@@ -34,7 +34,7 @@ TEST_CASE("an input that is a drawing has a room and a usual drawing")
     CHECK(input.type == InputType::drawing);
     CHECK(input.drawing.points == 9);
     CHECK(input.drawing.strokes == 1);
-    CHECK(input.drawing.usual.strokes.empty());
+    CHECK(input.drawing.default_value.strokes.empty());
 
     const SceneText full =
         read_input("input a strokes=2 points=7 kind=drawing { line 1 1 2 2.5 0 0; rect 1 1 2 2 }; /-input b");
@@ -43,10 +43,10 @@ TEST_CASE("an input that is a drawing has a room and a usual drawing")
         read_input("input a strokes=2 points=8 kind=drawing { line 1 1 2 2.5 0 0; polygon 1 1 2 2 3 1 }");
     CAPTURE(good.findings);
     REQUIRE(good.scene);
-    const scene::Drawing& usual = good.scene->inputs.front().drawing.usual;
-    REQUIRE(usual.strokes.size() == 2);
-    CHECK(usual.strokes[0].segments[0].to == scene::Point{32, 40});
-    CHECK(usual.strokes[1].segments.size() == 3);
+    const scene::Drawing& default_value = good.scene->inputs.front().drawing.default_value;
+    REQUIRE(default_value.strokes.size() == 2);
+    CHECK(default_value.strokes[0].segments[0].to == scene::Point{32, 40});
+    CHECK(default_value.strokes[1].segments.size() == 3);
 }
 
 TEST_CASE("what is wrong with a drawing input is told")

@@ -46,7 +46,7 @@ std::string strokes(const std::string& glyph)
     const scene::Letter* const letter = font.letter(U'!');
     REQUIRE(letter != nullptr);
     std::string text = std::to_string(static_cast<int>(letter->advance)) + ':';
-    const auto add = [&](const char* mark, scene::Spot spot) {
+    const auto add = [&](const char* mark, scene::Vec2 spot) {
         text +=
             mark + std::to_string(static_cast<int>(spot.x)) + ',' + std::to_string(static_cast<int>(spot.y));
     };

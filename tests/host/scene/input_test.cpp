@@ -37,16 +37,16 @@ TEST_CASE("an input has a range and a usual value, in thousandths")
 {
     const scene::Input plain = input("input a");
     CHECK(plain.name == "a");
-    CHECK(plain.least == 0);
-    CHECK(plain.most == 1000);
-    CHECK(plain.usual == 0);
+    CHECK(plain.min == 0);
+    CHECK(plain.max == 1000);
+    CHECK(plain.default_value == 0);
     const scene::Input given = input("input a min=-1.5 max=80000 default=0.0004");
-    CHECK(given.least == -1500);
-    CHECK(given.most == 80'000'000);
-    CHECK(given.usual == 0);
-    CHECK(input("input a min=-9 max=3").usual == 0);
-    CHECK(input("input a min=1 max=3").usual == 1000);
-    CHECK(input("input a min=-3 max=1.0005 default=1").usual == 1000);
+    CHECK(given.min == -1500);
+    CHECK(given.max == 80'000'000);
+    CHECK(given.default_value == 0);
+    CHECK(input("input a min=-9 max=3").default_value == 0);
+    CHECK(input("input a min=1 max=3").default_value == 1000);
+    CHECK(input("input a min=-3 max=1.0005 default=1").default_value == 1000);
 }
 
 TEST_CASE("what is wrong with an input is told once, and it is not missed by what names it")
@@ -105,11 +105,11 @@ TEST_CASE("keys of an item that has an input go by it, its tracks by what they s
     CAPTURE(read.findings);
     REQUIRE(read.scene);
     const auto& items = read.scene->items;
-    CHECK(std::get<scene::Object>(items[0].content).clock == Clock{1});
-    CHECK(items[0].tracks[0].clock.is_time());
-    CHECK(items[0].tracks[1].clock == Clock{1});
-    CHECK(items[1].tracks[0].clock == Clock{1});
-    CHECK(items[2].tracks[0].clock == Clock{1});
+    CHECK(std::get<scene::Object>(items[0].content).driver == Driver{1});
+    CHECK(items[0].tracks[0].driver.is_time());
+    CHECK(items[0].tracks[1].driver == Driver{1});
+    CHECK(items[1].tracks[0].driver == Driver{1});
+    CHECK(items[2].tracks[0].driver == Driver{1});
     CHECK(read.scene->length == Time::frame(9));
 }
 
@@ -135,8 +135,8 @@ TEST_CASE("poses go by the time or by an input, all of one bone by the same")
     CAPTURE(good.findings);
     REQUIRE(good.scene);
     const auto& bones = good.scene->bones.front().bones;
-    CHECK(bones[0].clock.is_time());
-    CHECK(bones[1].clock == Clock{1});
+    CHECK(bones[0].driver.is_time());
+    CHECK(bones[1].driver == Driver{1});
     CHECK(bones[1].keys[0].back().time == Time{65536});
     CHECK(read_on_canvas(begin + "pose 0 rest; pose 0 input=a { c turn=9 }" + end)
               .findings.find("the bone \"c\" goes by something else on line ") != std::string::npos);
@@ -173,7 +173,7 @@ TEST_CASE("skeletons go by the input of their object, also where its drawing sta
                                           "key 1 { skeleton { backbone 0 5 20 9; width 4 } } }");
     CAPTURE(read.findings);
     REQUIRE(read.scene);
-    CHECK(object_at(*read.scene).clock == Clock{1});
+    CHECK(object_at(*read.scene).driver == Driver{1});
     CHECK(read_on_canvas("input a\nsymbol s { key 0 { rect 0 0 1 1 }; key 9 { rect 1 1 1 1 } }\n"
                          "object o fill=red input=a { use s; key 0 x=1; key 1 x=2 }")
               .findings.find("this object goes by an input, but the drawings of its symbol by the time") !=

@@ -50,10 +50,10 @@ TEST_CASE("glyphs are characters and ranges of them, and the space")
     CHECK(text_input("glyphs=\"+--\" max=8").glyphs == U" +,-");
     CHECK(text_input("glyphs=\"a-c-e\" max=8").glyphs == U" -abce");
     CHECK(text_input("glyphs=\" \" max=8").glyphs == U" ");
-    CHECK(text_input("glyphs=\"a-a\" max=1").most == 1);
-    CHECK(text_input("glyphs=a max=60").most == 60);
-    CHECK(text_input("glyphs=ab max=3 default=ba").usual == U"ba");
-    CHECK(text_input("glyphs=ab max=3").usual.empty());
+    CHECK(text_input("glyphs=\"a-a\" max=1").max == 1);
+    CHECK(text_input("glyphs=a max=60").max == 60);
+    CHECK(text_input("glyphs=ab max=3 default=ba").default_value == U"ba");
+    CHECK(text_input("glyphs=ab max=3").default_value.empty());
 }
 
 TEST_CASE("what is wrong with a text is told at its place")

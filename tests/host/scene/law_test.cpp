@@ -94,12 +94,12 @@ TEST_CASE("numbers out of their ranges are reported, each by its name")
 
 TEST_CASE("what is no number, or stands where nothing may, is reported")
 {
-    const std::string remedy = " (write \"bezier(x1,y1,x2,y2)\")";
-    CHECK(findings("bezier(a,0,1,1)") == "4:19 error: a number is expected here" + remedy);
-    CHECK(findings("bezier(0,,1,1)") == "4:21 error: a number is expected here" + remedy);
-    CHECK(findings("bezier(0 0 1 1)") == "4:21 error: \",\" is expected here" + remedy);
-    CHECK(findings("bezier(0,0,1,1") == "4:26 error: \")\" is expected here" + remedy);
-    CHECK(findings("bezier(0,0,1,1) x y") == "4:28 error: this is too much for a law" + remedy);
+    const std::string hint = " (write \"bezier(x1,y1,x2,y2)\")";
+    CHECK(findings("bezier(a,0,1,1)") == "4:19 error: a number is expected here" + hint);
+    CHECK(findings("bezier(0,,1,1)") == "4:21 error: a number is expected here" + hint);
+    CHECK(findings("bezier(0 0 1 1)") == "4:21 error: \",\" is expected here" + hint);
+    CHECK(findings("bezier(0,0,1,1") == "4:26 error: \")\" is expected here" + hint);
+    CHECK(findings("bezier(0,0,1,1) x y") == "4:28 error: this is too much for a law" + hint);
     CHECK(findings("hold(3)") == "4:16 error: this is too much for a law (write \"hold\")");
     CHECK(findings("hold hold") == "4:17 error: this is too much for a law (write \"hold\")");
 }

@@ -18,7 +18,7 @@ std::string findings_of_legs(const std::string& object,
 }
 
 const std::string legs = "skin=s { line 50 20 50 30; line 50 60 50 80; line 50 70 50 80 }";
-const std::string remedy =
+const std::string hint =
     " (give them weights { points FIRST LAST { BONE WEIGHT } }, or let each limb be an object "
     "with its own bone=NAME)";
 
@@ -27,11 +27,11 @@ const std::string remedy =
 TEST_CASE("points that follow two bones alike which lie on each other get a warning")
 {
     CHECK(findings_of_legs(legs) ==
-          "4:1 warning: points 3 to 6 follow l and r alike, which lie on each other" + remedy);
+          "4:1 warning: points 3 to 6 follow l and r alike, which lie on each other" + hint);
     CHECK(findings_of_legs("skin=s { line 50 70 50 20 }") ==
-          "4:1 warning: point 1 follows l and r alike, which lie on each other" + remedy);
+          "4:1 warning: point 1 follows l and r alike, which lie on each other" + hint);
     CHECK(findings_of_legs("skin=s { line 50 60 50 20 50 80; line 50 70 50 80 }") ==
-          "4:1 warning: points 1 and 3 to 5 follow l and r alike, which lie on each other" + remedy);
+          "4:1 warning: points 1 and 3 to 5 follow l and r alike, which lie on each other" + hint);
     CHECK(findings_of_legs(legs, "pose 0 { l turn=9 }; pose 9 { l turn=1 }", "51 41 50 70") != ""); // nearly
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("several pairs of bones have one warning")
     CHECK(text ==
           "6:1 warning: points 1 to 2 follow l and r alike, which lie on each other, and so do points of 1 "
           "other pair of bones" +
-              remedy);
+              hint);
 }
 
 }

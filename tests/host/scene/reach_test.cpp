@@ -30,7 +30,7 @@ std::string findings_of(const std::string& movement)
 
 struct Target {
     Time time;
-    scene::Spot spot;
+    scene::Vec2 spot;
 };
 
 /// The largest distance of the tip from where it is to be, at random times; straight ways at even speed.
@@ -42,7 +42,7 @@ double worst_miss(const scene::Scene& scene, const std::vector<Target>& targets,
             const std::int32_t ticks = targets[i + 1].time.ticks - targets[i].time.ticks;
             const auto passed = static_cast<std::int32_t>(random() % static_cast<unsigned>(ticks + 1));
             const double share = 1.0 * passed / ticks;
-            const scene::Spot spot = (1 - share) * targets[i].spot + share * targets[i + 1].spot;
+            const scene::Vec2 spot = (1 - share) * targets[i].spot + share * targets[i + 1].spot;
             const auto frames = scene::frames_at(scene.bones[0].bones, targets[i].time + Time{passed});
             worst = std::max(worst, scene::distance(frames[2].tip(), spot));
         }
@@ -55,7 +55,7 @@ double side_of_joint(const scene::Scene& scene, Time time)
     return scene::cross(frames[2].tip() - frames[1].origin, frames[2].origin - frames[1].origin);
 }
 
-std::string at_node(int frame, scene::Spot spot)
+std::string at_node(int frame, scene::Vec2 spot)
 {
     return "at " + std::to_string(frame) + ' ' + std::to_string(spot.x) + ' ' + std::to_string(spot.y) + "; ";
 }

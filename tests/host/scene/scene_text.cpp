@@ -20,7 +20,7 @@ std::string findings_text(const Diagnostics& diagnostics, std::string_view text,
         all += all.empty() ? "" : "\n";
         all += std::to_string(at.line - lines) + ':' + std::to_string(at.column - columns);
         all += found.severity == Severity::error ? " error: " : " warning: ";
-        all += found.message + (found.remedy.empty() ? "" : " (" + found.remedy + ')');
+        all += found.message + (found.hint.empty() ? "" : " (" + found.hint + ')');
     }
     return all;
 }

@@ -114,10 +114,10 @@ TEST_CASE("a point follows at most four bones")
 
 TEST_CASE("bones and weights need a skin, and a skin a skeleton")
 {
-    const std::string remedy = " (add skin=NAME to the object, with the name of a skeleton)";
+    const std::string hint = " (add skin=NAME to the object, with the name of a skeleton)";
     CHECK(skin_read("object o fill=red bone=a { line 0 0 9 0; weights auto }")
-              .ends_with("\n1:24 error: a bone carries only an object that has a skin" + remedy +
-                         "\n1:42 error: weights need a skin" + remedy));
+              .ends_with("\n1:24 error: a bone carries only an object that has a skin" + hint +
+                         "\n1:42 error: weights need a skin" + hint));
     CHECK(skin_read("object o fill=red skin=t { line 0 0 9 0 }") ==
           "0:1 warning: the skeleton \"s\" carries nothing (add skin=s to an object, or remove it)\n"
           "1:24 error: unknown skeleton \"t\" (allowed: s)");

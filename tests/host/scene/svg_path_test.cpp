@@ -7,7 +7,7 @@
 namespace kfast::test {
 namespace {
 
-const std::string number_remedy = " (M, L and T take x y; H x; V y; S and Q x y x y; C x y x y x y)";
+const std::string number_hint = " (M, L and T take x y; H x; V y; S and Q x y x y; C x y x y x y)";
 
 }
 
@@ -130,14 +130,14 @@ TEST_CASE("errors point into the text of the path")
                                        "(allowed: M L H V C S Q T A Z and their lower case)");
     CHECK(path_drawn("M 1 2 Z 3 4") == "1:9 error: a path command is expected here "
                                        "(allowed: M L H V C S Q T A Z and their lower case)");
-    CHECK(path_drawn("M 1 2 , L 3 4") == "1:9 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L 3") == "1:10 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L 3,,4") == "1:11 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L 3 4 5 H") == "1:15 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L - 4") == "1:9 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L . 4") == "1:9 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L 1e 4") == "1:10 error: a number is expected here" + number_remedy);
-    CHECK(path_drawn("M 1 2 L nan inf") == "1:9 error: a number is expected here" + number_remedy);
+    CHECK(path_drawn("M 1 2 , L 3 4") == "1:9 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L 3") == "1:10 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L 3,,4") == "1:11 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L 3 4 5 H") == "1:15 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L - 4") == "1:9 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L . 4") == "1:9 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L 1e 4") == "1:10 error: a number is expected here" + number_hint);
+    CHECK(path_drawn("M 1 2 L nan inf") == "1:9 error: a number is expected here" + number_hint);
     CHECK(path_drawn("M 1 2 L 1e999 4") == "1:9 error: this number is out of range");
     CHECK(path_drawn("M 1 2 A 1 1 0 2 0 9 9") ==
           "1:15 error: a flag is expected here "
@@ -166,7 +166,7 @@ TEST_CASE("in a text whose bytes are not those of the source, words tell the pla
           "1:6 error: a path command is expected here (line 1, column 7 of the path) "
           "(allowed: M L H V C S Q T A Z and their lower case)");
     CHECK(drawn("path \"\"\"\n  M 1 2\n  L 3\n  \"\"\"") ==
-          "1:6 error: a number is expected here (line 2, column 4 of the path)" + number_remedy);
+          "1:6 error: a number is expected here (line 2, column 4 of the path)" + number_hint);
     CHECK(drawn("path \"\"\"\n  M 1 2\n  L 3 4\n  \"\"\"") == "M 1 2 L 3 4");
 }
 

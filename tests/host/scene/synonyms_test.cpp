@@ -1,6 +1,6 @@
 #include "host/words/synonyms.hpp"
 
-#include "host/scene/vocabulary.hpp"
+#include "host/scene/language_schema.hpp"
 #include "tests/host/scene/scene_text.hpp"
 
 #include <doctest/doctest.h>
@@ -77,7 +77,7 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
     CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
     CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
-    CHECK(remedy_of_absent("circle") == "");
+    CHECK(hint_of_absent("circle") == "");
 }
 
 TEST_CASE("each word of another program stands once with each meaning, as it is looked up")
@@ -94,10 +94,10 @@ TEST_CASE("each word of another program stands once with each meaning, as it is 
 
 TEST_CASE("no word that a node has is one of another program there")
 {
-    const auto words = scene::vocabulary();
-    for (const schema::NodeWords& node : words.nodes) {
+    const auto words = scene::language_schema();
+    for (const schema::NodeSchema& node : words.nodes) {
         std::set<std::string_view> names;
-        for (const schema::PropertyWords& property : node.properties)
+        for (const schema::PropertySchema& property : node.properties)
             names.insert(property.name);
         for (const Synonym& row : synonyms()) {
             CAPTURE(node.id);
@@ -110,9 +110,9 @@ TEST_CASE("no word that a node has is one of another program there")
 
 TEST_CASE("other words have a suggestion")
 {
-    CHECK(word_remedy("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
+    CHECK(word_hint("cirle", std::array<std::string_view, 2>{"circle", "rect"}) ==
           "did you mean \"circle\"?");
-    CHECK(word_remedy(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) == "allowed: rect");
+    CHECK(word_hint(std::string(1000, 'a'), std::array<std::string_view, 1>{"rect"}) == "allowed: rect");
 }
 
 }

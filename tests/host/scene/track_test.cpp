@@ -70,21 +70,21 @@ TEST_CASE("a law that governs nothing is warned of")
     const auto group = [](const std::string& keys) {
         return items_read("group { object o fill=red { rect 0 0 2 2 }\n" + keys + "\n}");
     };
-    const std::string remedy = " (remove it, or let a later key set what this one sets)";
+    const std::string hint = " (remove it, or let a later key set what this one sets)";
     CHECK(group("key 0 law=hold; key 9 opacity=0")
               .ends_with("2:1 error: this key sets nothing (add a property such as x=10)"));
     CHECK(group("key 0 x=0 law=hold; key 9 opacity=0")
               .ends_with("opacity[0:255(hold,hold) 9:0]\n  object o @0"));
     CHECK(group("key 0 x=0; key 1 x=1 law=hold; key 9 opacity=0")
-              .ends_with("2:22 warning: this law governs nothing" + remedy));
+              .ends_with("2:22 warning: this law governs nothing" + hint));
     CHECK(group("key 0 order=0 law=hold; key 9 order=1")
-              .ends_with("2:15 warning: this law governs nothing" + remedy));
+              .ends_with("2:15 warning: this law governs nothing" + hint));
     CHECK(group("key 0 y=0 law-x=hold law-y=hold; key 9 y=1")
-              .ends_with("2:11 warning: this law-x governs nothing" + remedy));
+              .ends_with("2:11 warning: this law-x governs nothing" + hint));
     CHECK(group("key 0 x=0 law=ease law-x=hold; key 9 x=1")
-              .ends_with("2:11 warning: this law governs nothing" + remedy));
+              .ends_with("2:11 warning: this law governs nothing" + hint));
     CHECK(group("key 0 scale=1 law-y=hold; key 9 scale-x=2")
-              .ends_with("2:15 warning: this law-y governs nothing" + remedy));
+              .ends_with("2:15 warning: this law-y governs nothing" + hint));
 }
 
 TEST_CASE("a match governs drawings")
@@ -98,11 +98,11 @@ TEST_CASE("a match governs drawings")
     CHECK(key_at(*good.scene).match == scene::Match::length);
     CHECK(key_at(*good.scene, 1).match == scene::Match::count);
     CHECK(key_at(*good.scene, 2).match == scene::Match::count);
-    const std::string remedy = " (remove it, or let a later key set what this one sets)";
+    const std::string hint = " (remove it, or let a later key set what this one sets)";
     CHECK(object("key 0 { empty }; key 1 match=length { empty }").findings ==
-          "4:24 warning: this match governs nothing" + remedy);
+          "4:24 warning: this match governs nothing" + hint);
     CHECK(object("key 0 x=1 match=length; key 1 { empty }").findings ==
-          "4:11 warning: this match governs nothing" + remedy);
+          "4:11 warning: this match governs nothing" + hint);
     CHECK(object("key 0 match=area { empty }; key 1 { empty }").findings ==
           "4:13 error: unknown value \"area\" (allowed: count, length)");
 }

@@ -15,7 +15,7 @@ double read(const std::string& text)
 }
 
 /// Of those from the first to the last stored value, how many come back as something else.
-int mistakes(const Grid& grid, std::int32_t first, std::int32_t last, std::size_t most_decimals)
+int mistakes(const Grid& grid, std::int32_t first, std::int32_t last, std::size_t max_decimals)
 {
     int count = 0;
     for (std::int32_t stored = first; stored <= last; ++stored) {
@@ -23,7 +23,7 @@ int mistakes(const Grid& grid, std::int32_t first, std::int32_t last, std::size_
         const double value = read(text);
         const std::size_t point = text.find('.');
         const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
-        if (std::lround(value * grid.stored / grid.units) != stored || decimals > most_decimals ||
+        if (std::lround(value * grid.stored / grid.units) != stored || decimals > max_decimals ||
             value < grid.low || value > grid.high || text.starts_with("-0 ") || text == "-0")
             ++count;
     }

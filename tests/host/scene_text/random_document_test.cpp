@@ -45,16 +45,16 @@ private:
         return std::string{names[static_cast<std::size_t>(random_.integer(0, 11))]};
     }
 
-    art::Channel channel(double usual, double reach)
+    art::Channel channel(double default_value, double reach)
     {
         if (random_.chance(0.5))
-            return {random_.chance(0.5) ? usual : random_.number(-reach, reach)};
+            return {random_.chance(0.5) ? default_value : random_.number(-reach, reach)};
         art::Channel channel = random_.channel(-20, 120, reach);
         for (auto& key : channel.keys)
             if (random_.chance(0.2))
                 key.ease = {art::EaseKind::cubic, random_.number(0, 1), random_.number(-9, 9),
                             random_.number(0, 1), random_.number(-9, 9)};
-        return channel.keys.empty() ? art::Channel{usual} : channel;
+        return channel.keys.empty() ? art::Channel{default_value} : channel;
     }
 
     art::Rgb colour() { return {random_.number(-0.1, 1.1), random_.number(0, 1), random_.number(0, 1)}; }
@@ -147,7 +147,7 @@ private:
                 bone.parent =
                     static_cast<std::size_t>(random_.integer(0, static_cast<int>(rig.bones.size()) - 1));
             bone.from = bone.parent && random_.chance(0.5) ? rig.bones[*bone.parent].to : random_.spot(200);
-            bone.to = bone.from + scene::Spot{random_.number(5, 50), random_.number(-50, 50)};
+            bone.to = bone.from + scene::Vec2{random_.number(5, 50), random_.number(-50, 50)};
             bone.turn = channel(0, 400);
             bone.x = channel(0, 50);
             bone.y = channel(0, 50);

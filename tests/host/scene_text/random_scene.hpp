@@ -29,10 +29,10 @@ public:
 
 private:
     /// Mostly still.
-    art::Channel channel(double low, double high, double usual)
+    art::Channel channel(double low, double high, double default_value)
     {
         if (random_.chance(0.4))
-            return {usual};
+            return {default_value};
         const double middle = (low + high) / 2;
         if (random_.chance(0.5))
             return {random_.number(low, high)};
@@ -42,7 +42,7 @@ private:
             if (random_.chance(0.1))
                 key.ease = {art::EaseKind::cubic, 0.3, -3, 0.6, 4.5};
         }
-        return channel.keys.empty() ? art::Channel{usual} : channel;
+        return channel.keys.empty() ? art::Channel{default_value} : channel;
     }
 
     /// What grows much, nested in what does, shows that coordinates are rounded.
@@ -88,7 +88,7 @@ private:
 
     scene::Outline outline(int curves, bool cubic)
     {
-        const auto spot = [&] { return scene::Spot{32, 32} + random_.spot(22); };
+        const auto spot = [&] { return scene::Vec2{32, 32} + random_.spot(22); };
         scene::Outline outline{spot(), {}, true};
         for (int i = 0; i < curves; ++i)
             outline.curves.push_back(cubic ? scene::cubic_to(spot(), spot(), spot())

@@ -11,7 +11,7 @@ namespace kfast::test {
 namespace {
 
 using art::Affine;
-using scene::Spot;
+using scene::Vec2;
 
 constexpr int samples = 8; ///< of a pixel, in each direction
 constexpr int pieces = 24; ///< of a curve
@@ -21,7 +21,7 @@ Affine matrix(const art::Transform& transform, double time)
     Affine place = art::moved(transform.x.at(time), transform.y.at(time));
     if (transform.path) {
         const scene::Outline& path = transform.path->path.outlines.front();
-        const Spot spot = art::spot_along(path, std::clamp(transform.path->share.at(time), 0.0, 1.0));
+        const Vec2 spot = art::spot_along(path, std::clamp(transform.path->share.at(time), 0.0, 1.0));
         place = art::moved(spot.x, spot.y);
     }
     return place * art::turned(transform.rotate.at(time)) *
@@ -30,10 +30,10 @@ Affine matrix(const art::Transform& transform, double time)
            art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 
-std::vector<Spot> flat(const scene::Outline& outline, const Affine& affine)
+std::vector<Vec2> flat(const scene::Outline& outline, const Affine& affine)
 {
-    std::vector<Spot> spots{affine.of(outline.from)};
-    Spot from = outline.from;
+    std::vector<Vec2> spots{affine.of(outline.from)};
+    Vec2 from = outline.from;
     for (const scene::Curve& curve : outline.curves) {
         for (int i = 1; curve.cubic && i < pieces; ++i) {
             const double s = static_cast<double>(i) / pieces;
@@ -60,7 +60,7 @@ public:
     {
     }
 
-    void fill(const std::vector<std::vector<Spot>>& outlines, FillRule rule, const art::Rgb& colour)
+    void fill(const std::vector<std::vector<Vec2>>& outlines, FillRule rule, const art::Rgb& colour)
     {
         for (int row = 0; row < height_; ++row)
             fill_row(row, crossings(outlines, (row + 0.5) / samples), rule,
@@ -77,13 +77,13 @@ public:
     }
 
 private:
-    static std::vector<Crossing> crossings(const std::vector<std::vector<Spot>>& outlines, double y)
+    static std::vector<Crossing> crossings(const std::vector<std::vector<Vec2>>& outlines, double y)
     {
         std::vector<Crossing> found;
         for (const auto& spots : outlines)
             for (std::size_t i = 0; i < spots.size(); ++i) {
-                const Spot a = spots[i];
-                const Spot b = spots[(i + 1) % spots.size()];
+                const Vec2 a = spots[i];
+                const Vec2 b = spots[(i + 1) % spots.size()];
                 if ((a.y <= y) != (b.y <= y))
                     found.push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
             }
@@ -140,7 +140,7 @@ void paint(const std::vector<art::Node>& nodes, const Affine& outer, double time
             continue;
         }
         const auto& figure = std::get<art::Figure>(node.content);
-        std::vector<std::vector<Spot>> outlines;
+        std::vector<std::vector<Vec2>> outlines;
         for (const scene::Outline& outline : figure.drawing.at(time).outlines)
             outlines.push_back(flat(outline, own));
         canvas.fill(outlines, figure.fill->rule, figure.fill->colour.at(time));

@@ -10,20 +10,20 @@ namespace kfast::test {
 namespace {
 
 using scene::Outline;
-using scene::Spot;
+using scene::Vec2;
 
 double distance_of_ends(const Outline& one, const Outline& other)
 {
-    double most = 0;
+    double max = 0;
     for (std::size_t i = 0; i < one.curves.size(); ++i)
-        most = std::max(most, scene::distance(one.curves[i].to, other.curves[i].to));
-    return most;
+        max = std::max(max, scene::distance(one.curves[i].to, other.curves[i].to));
+    return max;
 }
 
 /// As few different places as there can be, so that points meet.
 Outline crowded_outline(RandomArt& random)
 {
-    const auto spot = [&] { return Spot{random.integer(0, 1) * 40.0, random.integer(0, 1) * 0.125}; };
+    const auto spot = [&] { return Vec2{random.integer(0, 1) * 40.0, random.integer(0, 1) * 0.125}; };
     Outline outline{spot(), {}, random.chance(0.5)};
     for (int i = random.integer(1, 7); i > 0; --i)
         outline.curves.push_back(random.chance(0.7) ? scene::line_to(spot())
@@ -65,7 +65,7 @@ TEST_CASE("an open outline that ends where it begins stays open")
     art::Drawing drawing{
         {{{0, 0}, {scene::line_to({10, 0}), scene::line_to({10, 10}), scene::line_to({0, 0})}, false}}};
     scene_text::keep_open(drawing);
-    const Spot end = drawing.outlines.front().curves.back().to;
+    const Vec2 end = drawing.outlines.front().curves.back().to;
     CHECK(end.x == doctest::Approx(0.0625));
     CHECK(end.y == doctest::Approx(0.0625));
 }

@@ -24,7 +24,7 @@ inline std::string findings_in(const std::string& text)
 /// The text of a document, which compiles without errors and warnings.
 inline std::string written(const art::Document& document, art::Losses& losses)
 {
-    std::string text = scene_text::scene_text(document, "test.json", art::usual_tolerance, losses).text;
+    std::string text = scene_text::scene_text(document, "test.json", art::default_tolerance, losses).text;
     INFO(text);
     CHECK(findings_in(text) == "");
     return text;

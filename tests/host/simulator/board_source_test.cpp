@@ -27,7 +27,7 @@ group opacity=0.5 {
     object a fill=red { key 0 x=0; key 47 x=60; rect 4 40 30 20 }
     object b stroke=white width=2 { line 0 63 127 0 }
 })");
-    const auto on_board = open_board_source(bytes, facts_of(Controller::ssd0323).usual);
+    const auto on_board = open_board_source(bytes, facts_of(Controller::ssd0323).default_value);
     PlayerSource drawn{*SceneView::parse(bytes), {128, 64}, Fit::contain, PixelFormat::grey4};
     std::minstd_rand random{5};
     std::int32_t tick = 0;

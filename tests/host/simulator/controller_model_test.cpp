@@ -8,12 +8,12 @@ namespace kfast::test {
 TEST_CASE("every controller has a model, whose glass is black at first")
 {
     for (const ControllerFacts& facts : controller_facts) {
-        const auto model = make_controller_model(facts.usual);
+        const auto model = make_controller_model(facts.default_value);
         const Frame picture = model->picture();
         CHECK(picture.format == facts.format);
-        CHECK(picture.size == facts.usual.glass);
-        CHECK(picture.pixels.size() == row_bytes(facts.format, facts.usual.glass.width) *
-                                           static_cast<std::size_t>(facts.usual.glass.height));
+        CHECK(picture.size == facts.default_value.glass);
+        CHECK(picture.pixels.size() == row_bytes(facts.format, facts.default_value.glass.width) *
+                                           static_cast<std::size_t>(facts.default_value.glass.height));
         CHECK(std::ranges::all_of(picture.pixels, [](std::byte value) { return value == std::byte{}; }));
     }
 }

@@ -35,7 +35,7 @@ int red_on_glass(WiredModel& wired, const PanelSettings& settings)
 
 TEST_CASE("a known start-up of the ST7789 is accepted")
 {
-    const PanelSettings& settings = facts_of(Controller::st7789).usual;
+    const PanelSettings& settings = facts_of(Controller::st7789).default_value;
     WiredModel wired{settings};
     reset_and_wake(wired).send(0x3A, {0x55}).send(0x36, {0x00}).send(0xB0, {0x00, 0xC0});
     wired.send(0xB2, {0x0C, 0x0C, 0x00, 0x33, 0x33}).send(0xB7, {0x35}).send(0xBB, {0x19}).send(0xC0, {0x2C});
@@ -47,7 +47,7 @@ TEST_CASE("a known start-up of the ST7789 is accepted")
 
 TEST_CASE("a known start-up of the ILI9341 is accepted")
 {
-    const PanelSettings& settings = facts_of(Controller::ili9341).usual;
+    const PanelSettings& settings = facts_of(Controller::ili9341).default_value;
     WiredModel wired{settings};
     wired.wait(5).send(0xEF, {0x03, 0x80, 0x02}).send(0xCF, {0x00, 0xC1, 0x30});
     wired.send(0xED, {0x64, 0x03, 0x12, 0x81}).send(0xE8, {0x85, 0x00, 0x78});
@@ -61,7 +61,7 @@ TEST_CASE("a known start-up of the ILI9341 is accepted")
 
 TEST_CASE("a known start-up of the ST7735 is accepted")
 {
-    const PanelSettings& settings = facts_of(Controller::st7735).usual;
+    const PanelSettings& settings = facts_of(Controller::st7735).default_value;
     WiredModel wired{settings};
     reset_and_wake(wired.wait(110)).send(0xB1, {0x01, 0x2C, 0x2D}).send(0xB2, {0x01, 0x2C, 0x2D});
     wired.send(0xB3, {0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D}).send(0xB4, {0x07}).send(0xC0, {0xA2, 0x02, 0x84});
@@ -73,7 +73,7 @@ TEST_CASE("a known start-up of the ST7735 is accepted")
 
 TEST_CASE("a known start-up of the GC9A01 is accepted")
 {
-    const PanelSettings& settings = facts_of(Controller::gc9a01).usual;
+    const PanelSettings& settings = facts_of(Controller::gc9a01).default_value;
     WiredModel wired{settings};
     wired.wait(5).low({0xEF}).send(0xEB, {0x14}).low({0xFE, 0xEF}).send(0xEB, {0x14}).send(0x84, {0x40});
     for (int command = 0x85; command <= 0x8F; ++command)
@@ -98,7 +98,7 @@ TEST_CASE("a known start-up of the GC9A01 is accepted")
 
 TEST_CASE("a known start-up of the SSD1306 is accepted")
 {
-    WiredModel wired{facts_of(Controller::ssd1306).usual};
+    WiredModel wired{facts_of(Controller::ssd1306).default_value};
     wired.low({0xAE, 0xD5, 0x80, 0xA8, 0x3F, 0xD3, 0x00, 0x40, 0x8D, 0x14, 0x20, 0x00, 0xA1,
                0xC8, 0xDA, 0x12, 0x81, 0xCF, 0xD9, 0xF1, 0xDB, 0x40, 0x2E, 0xA4, 0xA6, 0xAF});
     wired.low({0x21, 0, 127, 0x22, 0, 7}).high({0x01});
@@ -108,7 +108,7 @@ TEST_CASE("a known start-up of the SSD1306 is accepted")
 
 TEST_CASE("a known start-up of the SSD1351 is accepted")
 {
-    WiredModel wired{facts_of(Controller::ssd1351).usual};
+    WiredModel wired{facts_of(Controller::ssd1351).default_value};
     wired.send(0xFD, {0x12}).send(0xFD, {0xB1}).low({0xAE}).send(0xB3, {0xF1}).send(0xCA, {0x7F});
     wired.send(0xA0, {0x74}).send(0xA1, {0x00}).send(0xA2, {0x00}).send(0xB5, {0x00}).send(0xAB, {0x01});
     wired.send(0xB1, {0x32}).send(0xBE, {0x05}).low({0xA6}).send(0xC1, {0xC8, 0x80, 0xC8}).send(0xC7, {0x0F});

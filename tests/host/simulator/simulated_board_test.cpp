@@ -30,7 +30,7 @@ std::vector<std::byte> empty_scene(Time length, Loop loop, std::vector<scene::Ev
 
 using GreyBoard = SimulatedBoard<Ssd0323<SimulatedBus>>;
 
-const PanelSettings& grey_panel = facts_of(Controller::ssd0323).usual;
+const PanelSettings& grey_panel = facts_of(Controller::ssd0323).default_value;
 
 std::vector<ShownFrame> played(std::span<const std::byte> scene, std::size_t frames)
 {
@@ -176,7 +176,7 @@ TEST_CASE("loop, player, driver and model together show the background of a scen
 
 TEST_CASE("a board with a turned panel of colours, on a bus of words, shows the scene upright")
 {
-    PanelSettings settings = facts_of(Controller::st7735).usual;
+    PanelSettings settings = facts_of(Controller::st7735).default_value;
     settings.rotation = Rotation::quarter;
     const auto scene = empty_scene(Time::frame(1), Loop::repeat);
     SimulatedBoard<TurnedPanel> board{scene, settings, 2};
@@ -194,7 +194,7 @@ TEST_CASE("an SSD1351 of 128x96 shows the scene all over the glass, however it i
     const auto scene = empty_scene(Time::frame(1), Loop::repeat);
     for (const Rotation rotation :
          {Rotation::none, Rotation::quarter, Rotation::half, Rotation::three_quarters}) {
-        PanelSettings settings = facts_of(Controller::ssd1351).usual;
+        PanelSettings settings = facts_of(Controller::ssd1351).default_value;
         settings.glass = {128, 96};
         settings.rotation = rotation;
         SimulatedBoard<Ssd1351<SimulatedBus>> board{scene, settings, 1};
@@ -215,7 +215,7 @@ TEST_CASE("an SSD1351 of 128x96 shows the scene all over the glass, however it i
 
 TEST_CASE("the board lets time pass in pauses, which the model sees")
 {
-    SimulatedBoard<TurnedPanel> board{{}, facts_of(Controller::st7735).usual, 1};
+    SimulatedBoard<TurnedPanel> board{{}, facts_of(Controller::st7735).default_value, 1};
     board.panel().begin([](Microseconds) {});
     CHECK(board.bus_error() == "byte 1 at 120.000 ms: command 0x36 too soon after reset or sleep");
 }

@@ -13,7 +13,7 @@ namespace {
 static_assert(WordBus<SimulatedBus>);
 
 struct Wired {
-    PanelSettings settings = facts_of(Controller::ssd0323).usual;
+    PanelSettings settings = facts_of(Controller::ssd0323).default_value;
     std::unique_ptr<ControllerModel> model = make_controller_model(settings);
     SimulatedClock clock;
     SimulatedBus bus{*model, clock};

@@ -6,7 +6,8 @@ namespace kfast::test {
 namespace {
 
 struct Model : WiredModel {
-    explicit Model(const PanelSettings& settings = facts_of(Controller::ssd0323).usual) : WiredModel{settings}
+    explicit Model(const PanelSettings& settings = facts_of(Controller::ssd0323).default_value)
+        : WiredModel{settings}
     {
     }
 
@@ -138,7 +139,7 @@ TEST_CASE("SSD0323 model: all dark, all lit, inverted")
     CHECK(model.commands({0xA5}).grey(0, 0) == 15);
     CHECK(model.commands({0xA6}).grey(1, 0) == 0);
     CHECK(model.commands({0xA4}).grey(0, 0) == 3);
-    PanelSettings settings = facts_of(Controller::ssd0323).usual;
+    PanelSettings settings = facts_of(Controller::ssd0323).default_value;
     settings.inverted = true;
     CHECK(Model{settings}.commands({0xA8, 63, 0xA0, 0x52, 0xAF}).grey(0, 0) == 15);
 }

@@ -10,7 +10,8 @@ namespace kfast::test {
 namespace {
 
 struct Replayed {
-    std::unique_ptr<ControllerModel> model = make_controller_model(facts_of(Controller::ssd0323).usual);
+    std::unique_ptr<ControllerModel> model =
+        make_controller_model(facts_of(Controller::ssd0323).default_value);
     std::vector<std::string> notes; ///< with the upper left level of the picture at that time
     std::string failure = "none";
 

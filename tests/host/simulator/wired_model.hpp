@@ -16,7 +16,7 @@ namespace kfast::test {
 /// The usual module of a controller with another glass.
 inline PanelSettings with_glass(Controller controller, Size glass, int column = 0, int row = 0)
 {
-    PanelSettings settings = facts_of(controller).usual;
+    PanelSettings settings = facts_of(controller).default_value;
     settings.glass = glass;
     settings.column = column;
     settings.row = row;

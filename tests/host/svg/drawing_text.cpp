@@ -111,7 +111,7 @@ const art::Figure& figure(const art::Document& document, std::string_view name)
 std::vector<double> box(const art::Drawing& drawing)
 {
     std::vector<double> result{1e9, 1e9, -1e9, -1e9};
-    const auto add = [&](scene::Spot spot) {
+    const auto add = [&](scene::Vec2 spot) {
         const auto rounded = [](double value) { return std::round(value * 1000) / 1000 + 0.0; };
         result = {std::min(result[0], rounded(spot.x)), std::min(result[1], rounded(spot.y)),
                   std::max(result[2], rounded(spot.x)), std::max(result[3], rounded(spot.y))};

@@ -38,7 +38,7 @@ TEST_CASE("shares are numbers or percentages")
 TEST_CASE("transforms are applied from the right")
 {
     const auto of = [](std::string_view text) {
-        return transform_list(text).value().of(kfast::scene::Spot{1, 0});
+        return transform_list(text).value().of(kfast::scene::Vec2{1, 0});
     };
     CHECK(of("translate(10)").x == 11);
     CHECK(of("translate(10 20)").y == 20);

@@ -48,12 +48,12 @@ TEST_CASE("an outline whose width varies is the shape that it covers")
     CHECK_FALSE(file.figure().line);
     const auto& shape = file.figure().drawing.value().outlines.at(0);
     CHECK(shape.closed);
-    double least = 100;
-    double most = 0;
+    double min = 100;
+    double max = 0;
     for (const auto& curve : shape.curves) {
-        least = std::min(least, curve.to.y);
-        most = std::max(most, curve.to.y);
+        min = std::min(min, curve.to.y);
+        max = std::max(max, curve.to.y);
     }
-    CHECK(least == doctest::Approx(40).epsilon(0.01));
-    CHECK(most == doctest::Approx(60).epsilon(0.01));
+    CHECK(min == doctest::Approx(40).epsilon(0.01));
+    CHECK(max == doctest::Approx(60).epsilon(0.01));
 }

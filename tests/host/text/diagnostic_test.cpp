@@ -10,7 +10,7 @@ TEST_CASE("a diagnostic is shown with its line, its place and its remedy")
     const Diagnostic diagnostic{.severity = Severity::error,
                                 .place = {.offset = 19, .length = 3},
                                 .message = "unknown colour \"blu\"",
-                                .remedy = "did you mean \"blue\"?"};
+                                .hint = "did you mean \"blue\"?"};
     CHECK(format(diagnostic, source) == "lamp.kfast:2:14: error: unknown colour \"blu\"\n"
                                         "   2 |     object lamp blu\n"
                                         "     |                 ^~~\n"
@@ -21,7 +21,7 @@ TEST_CASE("without a remedy there is no help line, and a warning is called one")
 {
     const SourceText source{.name = "a", .text = "x"};
     const Diagnostic diagnostic{
-        .severity = Severity::warning, .place = {.offset = 0, .length = 1}, .message = "odd", .remedy = ""};
+        .severity = Severity::warning, .place = {.offset = 0, .length = 1}, .message = "odd", .hint = ""};
     CHECK(format(diagnostic, source) == "a:1:1: warning: odd\n"
                                         "   1 | x\n"
                                         "     | ^\n");
@@ -30,7 +30,7 @@ TEST_CASE("without a remedy there is no help line, and a warning is called one")
 TEST_CASE("the gutter grows with the line number")
 {
     const SourceText source{.name = "a", .text = std::string(12344, '\n') + "x"};
-    const Diagnostic diagnostic{.place = {.offset = 12344, .length = 1}, .message = "m", .remedy = "r"};
+    const Diagnostic diagnostic{.place = {.offset = 12344, .length = 1}, .message = "m", .hint = "r"};
     CHECK(format(diagnostic, source) == "a:12345:1: error: m\n"
                                         "12345 | x\n"
                                         "      | ^\n"
@@ -40,7 +40,7 @@ TEST_CASE("the gutter grows with the line number")
 TEST_CASE("names, messages and remedies cannot steer the terminal")
 {
     const SourceText source{.name = "\x1B", .text = ""};
-    const Diagnostic diagnostic{.place = {}, .message = "\x07", .remedy = "\n"};
+    const Diagnostic diagnostic{.place = {}, .message = "\x07", .hint = "\n"};
     CHECK(format(diagnostic, source) == "<U+001B>:1:1: error: <U+0007>\n"
                                         "   1 | \n"
                                         "     | ^\n"

@@ -7,7 +7,7 @@ using namespace kfast;
 namespace {
 
 /// The excerpt as it looks on a terminal, one line below the other.
-std::string shown(std::string_view text, Place place)
+std::string shown(std::string_view text, SourceSpan place)
 {
     const Excerpt it = excerpt(text, place);
     return it.line + '\n' + it.marks;

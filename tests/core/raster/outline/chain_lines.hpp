@@ -115,19 +115,19 @@ inline int winding_at(const std::vector<ChainLine>& lines, Spot at)
 inline bool overlap_within(const std::vector<ChainLine>& lines, int x, int y)
 {
     constexpr int samples = 12;
-    int least = 0;
-    int most = 0;
+    int min = 0;
+    int max = 0;
     bool is_first = true;
     for (int j = 0; j < samples; ++j) {
         const WindingRow row{lines, y + (j + 0.5) / samples};
         for (int i = 0; i < samples; ++i) {
             const int winding = row.at(x + (i + 0.5) / samples);
-            least = is_first ? winding : std::min(least, winding);
-            most = is_first ? winding : std::max(most, winding);
+            min = is_first ? winding : std::min(min, winding);
+            max = is_first ? winding : std::max(max, winding);
             is_first = false;
         }
     }
-    return most - least > 1 || (least < 0 && most > 0);
+    return max - min > 1 || (min < 0 && max > 0);
 }
 
 /// Outlines in memory of their own.

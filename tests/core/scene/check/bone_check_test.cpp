@@ -125,11 +125,11 @@ TEST_CASE("what goes by the common keys needs some")
 
 TEST_CASE("values of a bone's own keys have ranges")
 {
-    const auto check_range = [](std::size_t quantity, std::int32_t least, std::int32_t most) {
+    const auto check_range = [](std::size_t quantity, std::int32_t min, std::int32_t max) {
         CAPTURE(quantity);
-        CHECK(takes_own(quantity, {{{}, 0, least}, {{1}, 0, most}}));
-        CHECK_FALSE(takes_own(quantity, {{{}, 0, least - 1}, {{1}, 0, most}}));
-        CHECK_FALSE(takes_own(quantity, {{{}, 0, least}, {{1}, 0, most + 1}}));
+        CHECK(takes_own(quantity, {{{}, 0, min}, {{1}, 0, max}}));
+        CHECK_FALSE(takes_own(quantity, {{{}, 0, min - 1}, {{1}, 0, max}}));
+        CHECK_FALSE(takes_own(quantity, {{{}, 0, min}, {{1}, 0, max + 1}}));
     };
     check_range(angle, -1'048'576, 1'048'576);
     check_range(x, -32'768, 32'767);

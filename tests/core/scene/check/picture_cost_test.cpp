@@ -62,16 +62,16 @@ TEST_CASE("costs are added up where they may meet, and end at a second")
     PictureCost cost;
     cost.add(100, 1);
     cost.add(70, 2);
-    CHECK(cost.most() == 100);
+    CHECK(cost.largest() == 100);
     cost.add(50, 6);
-    CHECK(cost.most() == 120);
+    CHECK(cost.largest() == 120);
     cost.add(1000, every_part);
-    CHECK(cost.most() == 1120);
+    CHECK(cost.largest() == 1120);
     cost.add(0xFFFF'FFFF, 2);
-    CHECK(cost.most() == PictureCost::max);
+    CHECK(cost.largest() == PictureCost::max);
     cost.add(0xFFFF'FFFF, every_part);
     cost.add(0xFFFF'FFFF, every_part);
-    CHECK(cost.most() == PictureCost::max);
+    CHECK(cost.largest() == PictureCost::max);
     CHECK(cost_of_leaf({.is_filled = true, .is_stroked = true}, 0xFFFF'FFFF, 1024) >= PictureCost::max);
     CHECK(cost_of_path(kfb::max_drawing_points) > 4'000);
     CHECK(cost_of_ordered(0xFFFF'FFFF, 0xFFFF'FFFF) ==
@@ -159,9 +159,9 @@ TEST_CASE("what an input shows may be seen at any time")
     add_triangles(scene, 200);
     scene.input_count = 1;
     scene.inputs = input_bytes("i");
-    const auto by = [&](Clock clock) {
+    const auto by = [&](Driver driver) {
         return joined({bytes({static_cast<int>(Property::visible)}),
-                       track_keys({{{}, 0, 0}, {Time{1024}, 0, 1}, {Time{2048}, 0, 0}}, 0, clock)});
+                       track_keys({{{}, 0, 0}, {Time{1024}, 0, 1}, {Time{2048}, 0, 0}}, 0, driver)});
     };
     scene.items = joined({repeated(use_with(by({})), 60), repeated(use_with(by({1})), 60)});
     CHECK(is_too_slow(scene));
@@ -201,15 +201,15 @@ TEST_CASE("groups, tracks, borders and orders cost something, too")
 TEST_CASE("keys that many tracks share are read for each: there is an end to it")
 {
     const auto scene_with = [](int keys, std::initializer_list<Property> properties) {
-        Beats beats;
+        KeyTimes key_times;
         for (int i = 0; i < keys; ++i)
-            beats.push_back({Time{i}, 0});
+            key_times.push_back({Time{i}, 0});
         RawScene scene;
         scene.ticks = 100 * 1024;
         Bytes tracks;
         for (const Property property : properties)
             tracks = joined({tracks, bytes({static_cast<int>(property)}),
-                             tracks.empty() ? beat_bytes(beats) : bytes({0}), bytes({0, 0})});
+                             tracks.empty() ? key_time_bytes(key_times) : bytes({0}), bytes({0, 0})});
         scene.items = joined({bytes({0x05, static_cast<int>(properties.size())}), tracks, bytes({0})});
         return scene;
     };

@@ -20,20 +20,20 @@ RawScene with_inputs(std::uint32_t count, const Bytes& inputs)
     return scene;
 }
 
-bool takes_input(std::int32_t least, std::int32_t most, std::int32_t usual)
+bool takes_input(std::int32_t min, std::int32_t max, std::int32_t default_value)
 {
-    return is_accepted(with_inputs(1, input_bytes("a", least, most, usual)));
+    return is_accepted(with_inputs(1, input_bytes("a", min, max, default_value)));
 }
 
 /// A drawing, its usual one at the offset.
-Bytes drawing_input(std::uint32_t strokes, std::uint32_t points, std::uint32_t usual)
+Bytes drawing_input(std::uint32_t strokes, std::uint32_t points, std::uint32_t default_value)
 {
-    return joined({bytes({2, 1, 'd'}), varint(strokes), varint(points), varint(usual)});
+    return joined({bytes({2, 1, 'd'}), varint(strokes), varint(points), varint(default_value)});
 }
 
-bool takes_drawing(std::uint32_t strokes, std::uint32_t points, std::uint32_t usual)
+bool takes_drawing(std::uint32_t strokes, std::uint32_t points, std::uint32_t default_value)
 {
-    return is_accepted(with_inputs(1, drawing_input(strokes, points, usual)));
+    return is_accepted(with_inputs(1, drawing_input(strokes, points, default_value)));
 }
 
 /// A scene with a number and a drawing that has these items.
@@ -45,10 +45,10 @@ bool takes_live(const Bytes& items)
 }
 
 /// Two inputs, and a track by one with these keys.
-bool takes_track(Clock clock, const std::vector<RawTrackKey>& keys)
+bool takes_track(Driver driver, const std::vector<RawTrackKey>& keys)
 {
     RawScene scene = with_inputs(2, joined({input_bytes("a"), input_bytes("b")}));
-    scene.items = tracked(1, joined({bytes({0}), track_keys(keys, 0, clock)}));
+    scene.items = tracked(1, joined({bytes({0}), track_keys(keys, 0, driver)}));
     return is_accepted(scene);
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("so do keys of drawings, and of bones")
 {
     RawScene scene = with_inputs(1, input_bytes("a"));
     const auto takes_keys = [&scene](int input, std::int32_t last) {
-        scene.items =
-            joined({bytes({0x08, 1}), beat_bytes({{{0}, 0}, {{last}, 0}}, {static_cast<std::uint8_t>(input)}),
-                    value_bytes({0, 10})});
+        scene.items = joined({bytes({0x08, 1}),
+                              key_time_bytes({{{0}, 0}, {{last}, 0}}, {static_cast<std::uint8_t>(input)}),
+                              value_bytes({0, 10})});
         return is_accepted(scene);
     };
     CHECK(takes_keys(1, 65536));
@@ -103,9 +103,9 @@ TEST_CASE("so do keys of drawings, and of bones")
     scene = with_inputs(1, input_bytes("a"));
     const auto takes_bones = [&scene](int input, std::int32_t last) {
         const Bytes bone = bytes({0, 0xC2, 0, 0, 2}); // x has keys; at 0, 0, two pixels long, and straight
-        scene.bones = block(joined({bytes({1, 0}), bone,
-                                    beat_bytes({{{0}, 0}, {{last}, 0}}, {static_cast<std::uint8_t>(input)}),
-                                    value_bytes({0, 10})}));
+        scene.bones = block(joined(
+            {bytes({1, 0}), bone, key_time_bytes({{{0}, 0}, {{last}, 0}}, {static_cast<std::uint8_t>(input)}),
+             value_bytes({0, 10})}));
         return is_accepted(scene);
     };
     CHECK(takes_bones(1, 65536));
@@ -154,12 +154,12 @@ TEST_CASE("a live item shows a drawing, in a style")
 TEST_CASE("keys go by numbers alone")
 {
     RawScene scene = with_inputs(2, joined({input_bytes("a"), drawing_input(1, 9, 10)}));
-    const auto takes_clock = [&scene](Clock clock) {
-        scene.items = tracked(1, joined({bytes({0}), track_keys({{{0}, 0, 1}, {{9}, 0, 2}}, 0, clock)}));
+    const auto takes_driver = [&scene](Driver driver) {
+        scene.items = tracked(1, joined({bytes({0}), track_keys({{{0}, 0, 1}, {{9}, 0, 2}}, 0, driver)}));
         return is_accepted(scene);
     };
-    CHECK(takes_clock({1}));
-    CHECK_FALSE(takes_clock({2}));
+    CHECK(takes_driver({1}));
+    CHECK_FALSE(takes_driver({2}));
 }
 
 }

@@ -29,11 +29,11 @@ RawScene scene_with(const Bytes& item, const Bytes& input = text_input_bytes("t"
 
 bool takes(const RawLabel& label) { return is_accepted(scene_with(label.item())); }
 
-bool takes_text(int most, int count, std::initializer_list<int> usual)
+bool takes_text(int max, int count, std::initializer_list<int> default_value)
 {
     RawScene scene;
     scene.input_count = 1;
-    scene.inputs = text_input_bytes("t", most, count, U'a', usual);
+    scene.inputs = text_input_bytes("t", max, count, U'a', default_value);
     return is_accepted(scene);
 }
 
@@ -103,15 +103,15 @@ TEST_CASE("a label has a known place, drawings and nothing else")
 
 TEST_CASE("the longest text finds room, in either direction")
 {
-    constexpr std::int32_t most = kfb::max_text_width / 8;
+    constexpr std::int32_t max = kfb::max_text_width / 8;
     RawLabel wide = label();
-    wide.advances = {most, 0};
+    wide.advances = {max, 0};
     CHECK(takes(wide));
-    wide.advances = {-most, most};
+    wide.advances = {-max, max};
     CHECK(takes(wide));
     wide.spacing = 1;
     CHECK_FALSE(takes(wide));
-    wide.advances = {-most + 1, 0};
+    wide.advances = {-max + 1, 0};
     CHECK(takes(wide));
     wide.spacing = -1;
     wide.pairs = {{0, 1, 1}};

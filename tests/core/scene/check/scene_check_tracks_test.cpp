@@ -59,12 +59,12 @@ TEST_CASE("tracks rise by their properties, of which there are seventeen")
 
 TEST_CASE("values of tracks have ranges")
 {
-    const auto check_range = [](Property property, std::int32_t least, std::int32_t most) {
+    const auto check_range = [](Property property, std::int32_t min, std::int32_t max) {
         CAPTURE(static_cast<int>(property));
-        CHECK(takes_value(property, least));
-        CHECK(takes_value(property, most));
-        CHECK_FALSE(takes_value(property, least - 1));
-        CHECK_FALSE(takes_value(property, most + 1));
+        CHECK(takes_value(property, min));
+        CHECK(takes_value(property, max));
+        CHECK_FALSE(takes_value(property, min - 1));
+        CHECK_FALSE(takes_value(property, max + 1));
     };
     for (const Property place :
          {Property::x, Property::y, Property::z, Property::pivot_x, Property::pivot_y, Property::order})
@@ -154,17 +154,17 @@ TEST_CASE("keys of tracks rise in time and have known laws")
 
 TEST_CASE("beats have a form with a meaning, and times within the limits of the format")
 {
-    const auto takes_beats = [](const Bytes& beats) {
-        return takes_tracks(1, joined({bytes({0}), beats, bytes({0, 0})}));
+    const auto takes_key_times = [](const Bytes& key_times) {
+        return takes_tracks(1, joined({bytes({0}), key_times, bytes({0, 0})}));
     };
-    CHECK(takes_beats(bytes({2, 0x01, 0x02, 0x30})));                   // a bit for times, one for laws
-    CHECK_FALSE(takes_beats(bytes({2, 0x01, 0x14, 0x00, 0x10, 0x00}))); // laws of ten bits
-    CHECK(takes_beats(bytes({2, 0x41, 0x01, 0x40})));                   // in frames
-    CHECK_FALSE(takes_beats(joined({bytes({2, 0x1F, 0x00}), repeated(bytes({0xFF}), 8)})));
-    CHECK_FALSE(takes_beats(joined({bytes({2, 0xFF, 0x01}), repeated(bytes({0xFF}), 8)})));
-    CHECK_FALSE(takes_beats(bytes({2, 0x00, 0x00})));                            // both at 0
-    CHECK_FALSE(takes_beats(bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x00, 0x00}))); // all at 0
-    CHECK_FALSE(takes_beats(joined({bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x1F, 0x10}), Bytes(9)})));
+    CHECK(takes_key_times(bytes({2, 0x01, 0x02, 0x30})));                   // a bit for times, one for laws
+    CHECK_FALSE(takes_key_times(bytes({2, 0x01, 0x14, 0x00, 0x10, 0x00}))); // laws of ten bits
+    CHECK(takes_key_times(bytes({2, 0x41, 0x01, 0x40})));                   // in frames
+    CHECK_FALSE(takes_key_times(joined({bytes({2, 0x1F, 0x00}), repeated(bytes({0xFF}), 8)})));
+    CHECK_FALSE(takes_key_times(joined({bytes({2, 0xFF, 0x01}), repeated(bytes({0xFF}), 8)})));
+    CHECK_FALSE(takes_key_times(bytes({2, 0x00, 0x00})));                            // both at 0
+    CHECK_FALSE(takes_key_times(bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x00, 0x00}))); // all at 0
+    CHECK_FALSE(takes_key_times(joined({bytes({0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0x1F, 0x10}), Bytes(9)})));
 }
 
 TEST_CASE("a track may have the beats of the one before, if one has any")

@@ -1,0 +1,168 @@
+#include "core/pose/posed_backbones.hpp"
+
+#include "core/bytes/function_ref.hpp"
+#include "core/bytes/work.hpp"
+#include "core/math/point.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace kfast {
+namespace {
+
+constexpr std::int32_t one = Fixed::one;
+constexpr std::int32_t widest = 8 * one; ///< Q16, across
+/// What lies along a cell whose points are within modest_reach, or as far again beyond either end of it, is
+/// within three times that, and within nine times if it is up to modest_width across: Fixed can tell that.
+constexpr std::int32_t modest_reach = 1023 * one;
+constexpr std::int32_t modest_width = 2 * one;
+
+/// `share` is in Q16 and may lie beyond 0 … 1.
+std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
+{
+    return a + (((b - a) * share + one / 2) >> 16);
+}
+
+/// The same bits, where all of it fits in 32 bits.
+std::int32_t mix(std::int32_t a, std::int32_t b, std::int32_t share)
+{
+    return a + multiply_q16(b - a, share);
+}
+
+/// From the line between two nodes towards that between their outline points.
+template <class Number>
+Point placed_across(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side,
+                    std::int32_t along, std::int32_t width)
+{
+    const auto placed = [=, &a, &b](Fixed Point::*axis) {
+        const auto mixed = [=, &a, &b](Point BackboneNode::*line) {
+            return mix(Number{(a.*line.*axis).raw()}, Number{(b.*line.*axis).raw()}, along);
+        };
+        return mix(mixed(&BackboneNode::middle), mixed(side), width);
+    };
+    return clamped_point(placed(&Point::x), placed(&Point::y), farthest_tweened);
+}
+
+bool is_modest(Point point)
+{
+    return std::abs(point.x.raw()) <= modest_reach && std::abs(point.y.raw()) <= modest_reach;
+}
+
+}
+
+PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
+                               PackedDrawing to, Progress way)
+    : between_{plain_function<&PosedBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
+{
+    const auto next_stroke = [&from, &to] {
+        to.next_stroke();
+        return from.next_stroke();
+    };
+    const auto next_point = [&](bool is_first) {
+        const Point a = is_first ? from.start() : from.next_segment().to;
+        return lerp(a, is_first ? to.start() : to.next_segment().to, way.x, way.y);
+    };
+    take(from.strokes(), next_stroke, next_point);
+}
+
+PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
+                               Progress way)
+    : between_{plain_function<&PosedBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
+{
+    const auto next_stroke = [&both] { return both.next_stroke(); };
+    const auto next_point = [&](bool is_first) {
+        if (!is_first)
+            both.is_next_cubic(); // they are lines
+        return both.next_point(way);
+    };
+    take(both.strokes(), next_stroke, next_point);
+}
+
+/// Three strokes for each backbone, and a gap behind it.
+/// next_point(is_first) tells whether it is the first one of a stroke.
+void PosedBackbones::take(std::uint32_t strokes, FunctionRef<std::uint32_t()> next_stroke,
+                          FunctionRef<Point(bool)> next_point)
+{
+    std::size_t first = 0;
+    const auto count = static_cast<std::int32_t>(strokes / 3);
+    for (std::int32_t backbone = 0; backbone < count; ++backbone) {
+        std::size_t behind = first;
+        for (const auto side : {&BackboneNode::middle, &BackboneNode::left, &BackboneNode::right}) {
+            behind = first + next_stroke() + 1;
+            for (std::size_t node = first; node != behind; ++node) {
+                const Point at = next_point(node == first);
+                nodes_[node].*side = at;
+                nodes_[node].backbone = backbone;
+                are_modest_ = are_modest_ && is_modest(at);
+            }
+        }
+        nodes_[behind].backbone = -1;
+        first = behind + 1;
+    }
+    nodes_ = nodes_.first(first);
+    is_one_ = count == 1;
+}
+
+Point PosedBackbones::place(Point relative) const { return place(cell_at(relative.x), relative.y); }
+
+Point PosedBackbones::place(Cell cell, Fixed across) const
+{
+    const BackboneNode& a = nodes_[static_cast<std::size_t>(cell.node)];
+    const BackboneNode& b = nodes_[static_cast<std::size_t>(cell.node) + 1];
+    const auto side = across >= Fixed{} ? &BackboneNode::left : &BackboneNode::right;
+    const std::int32_t size = across >= Fixed{} ? across.raw() : -across.raw();
+    const std::int32_t width = std::min(size >> (unit_bits_ - 4), widest);
+    if (are_modest_ && width <= modest_width)
+        return placed_across<std::int32_t>(a, b, side, cell.along, width);
+    return placed_across<std::int64_t>(a, b, side, cell.along, width);
+}
+
+Point PosedBackbones::between_points(Point a, Point b, Progress way) const
+{
+    did(Work::bent_point);
+    if (a == b)
+        return place(a);
+    const Point at = lerp(a, b, way.x, way.y);
+    if (is_one_)
+        return place(at);
+    const std::int32_t backbone = backbone_of(cell_at(a.x));
+    if (backbone != backbone_of(cell_at(b.x)))
+        return lerp(place(a), place(b), way.x, way.y);
+    const Cell cell = cell_at(at.x);
+    const std::int32_t reached = backbone_of(cell);
+    return place(reached == backbone ? cell : end_of(backbone, reached < backbone), at.y);
+}
+
+PosedBackbones::Cell PosedBackbones::cell_at(Fixed along) const
+{
+    const std::int32_t node = along.raw() >> (unit_bits_ + 12);
+    const std::int32_t share = (along.raw() & ((1 << (unit_bits_ + 12)) - 1)) >> (unit_bits_ - 4);
+    if (is_node(node))
+        return is_node(node + 1) ? Cell{node, share} : Cell{node - 1, one + share};
+    if (is_node(node + 1))
+        return {node + 1, share - one};
+    if (node < 0)
+        return {0, -one};
+    return {static_cast<std::int32_t>(nodes_.size()) - 3, 2 * one};
+}
+
+/// As far out as belongs to the backbone.
+PosedBackbones::Cell PosedBackbones::end_of(std::int32_t backbone, bool is_beginning) const
+{
+    std::int32_t node = 0;
+    while (nodes_[static_cast<std::size_t>(node)].backbone != backbone)
+        ++node;
+    if (is_beginning)
+        return {node, -one};
+    while (is_node(node + 2))
+        ++node;
+    return {node, 2 * one};
+}
+
+bool PosedBackbones::is_node(std::int32_t index) const
+{
+    return index >= 0 && static_cast<std::size_t>(index) < nodes_.size() &&
+           nodes_[static_cast<std::size_t>(index)].backbone >= 0;
+}
+
+}

@@ -1,0 +1,166 @@
+#include "core/pose/posed_bones.hpp"
+
+#include "core/bytes/work.hpp"
+#include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
+#include "core/time/hermite.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kfast {
+namespace {
+
+using FineValues = std::array<std::int32_t, bone_quantity_count>;
+
+constexpr std::int64_t max_stretch = 64 * std::int64_t{Fixed::one};
+
+std::int32_t of(std::span<const std::int32_t, bone_quantity_count> values, BoneQuantity quantity)
+{
+    return values[static_cast<std::size_t>(quantity)];
+}
+
+/// What is at (x, y) in the frame of `parent`.
+Point on_canvas(const BoneFrame& parent, Fixed x, Fixed y)
+{
+    constexpr std::int64_t half = 1 << 29;
+    const std::int64_t across = std::int64_t{parent.cosine} * x.raw() - std::int64_t{parent.sine} * y.raw();
+    const std::int64_t down = std::int64_t{parent.sine} * x.raw() + std::int64_t{parent.cosine} * y.raw();
+    return clamped_point(parent.origin.x.raw() + ((across + half) >> 30),
+                         parent.origin.y.raw() + ((down + half) >> 30));
+}
+
+BoneFrame frame_in(const BoneFrame& parent, std::span<const std::int32_t, bone_quantity_count> fine,
+                   Fixed shift)
+{
+    const FineAngle angle = parent.angle + FineAngle::of_fine(of(fine, BoneQuantity::angle));
+    return {.origin = on_canvas(parent, fine_pixels(of(fine, BoneQuantity::x)) + shift,
+                                fine_pixels(of(fine, BoneQuantity::y))),
+            .angle = angle,
+            .cosine = cosine(angle),
+            .sine = sine(angle)};
+}
+
+FineValues values_at_rest(const BoneSetUp& bone)
+{
+    FineValues fine;
+    std::ranges::transform(bone.set_up, fine.begin(),
+                           [](std::int32_t value) { return value * (1 << fine_bits); });
+    return fine;
+}
+
+/// How many times as long as set up, at most 64 times; Q16.
+std::int64_t play_range_of(std::int64_t length, std::uint32_t set_up_length)
+{
+    if (length == set_up_length) // mostly
+        return Fixed::one;
+    return std::min(quotient((length << 16) + set_up_length / 2, set_up_length), max_stretch);
+}
+
+/// stretch * a + b of Q30 numbers, as a Q16 factor; a + b is a component of a unit vector.
+std::int32_t factor(std::int64_t stretch, std::int32_t a, std::int32_t b)
+{
+    if (stretch == Fixed::one) // mostly
+        return (a + b + (1 << 13)) >> 14;
+    return static_cast<std::int32_t>((((stretch * a) >> 16) + b + (1 << 13)) >> 14);
+}
+
+BoneSetUp set_up_of(const SceneView& scene, const BoneNode& bone)
+{
+    ByteReader bytes = scene.at(bone.place);
+    return BoneSetUp::take(bytes);
+}
+
+/// What the quantities of a bone come to. Tracks have differences from what they are as set up.
+FineValues values_of(const PreparedScene& prepared, const BoneNode& node, const BoneSetUp& bone)
+{
+    FineValues fine = values_at_rest(bone);
+    for (const TrackState& track : prepared.tracks(node)) {
+        const auto quantity = static_cast<BoneQuantity>(track.property);
+        KeySpan key_span = prepared.key_span(track, quantity == BoneQuantity::y ? LawAxis::y : LawAxis::x);
+        key_span.from += bone.at_rest(quantity);
+        key_span.to += bone.at_rest(quantity);
+        if (quantity == BoneQuantity::angle && !bone.turns_as_written)
+            key_span.to = key_span.from + shortest_turn(BinaryAngle::from_raw(key_span.from),
+                                                        BinaryAngle::from_raw(key_span.to));
+        fine[track.property] = fine_value(key_span);
+    }
+    return fine;
+}
+
+const PosedBone* parent_of(const BoneNode& bone, std::span<const PosedBone> live)
+{
+    return bone.parent == 0 ? nullptr : &live[bone.parent - 1U];
+}
+
+}
+
+void PosedBone::set_up(const BoneSetUp& bone, const PosedBone* parent)
+{
+    rest_ = frame_in(parent == nullptr ? BoneFrame{} : parent->rest_, values_at_rest(bone), {});
+}
+
+void PosedBone::pose(const BoneSetUp& bone, const PosedBone* parent,
+                     std::span<const std::int32_t, bone_quantity_count> fine)
+{
+    did(Work::bone);
+    const Fixed shift = parent != nullptr && bone.is_at_tip ? parent->growth_ : Fixed{};
+    posed_ = frame_in(parent == nullptr ? BoneFrame{} : parent->posed_, fine, shift);
+    const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
+    const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
+    growth_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
+    const std::int64_t stretch = play_range_of(length, static_cast<std::uint32_t>(set_up_length));
+    const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
+    const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
+    xx_ = factor(stretch, product_q30_down(posed_c, c), product_q30_down(posed_s, s));
+    xy_ = factor(stretch, product_q30_down(posed_c, s), -product_q30_down(posed_s, c));
+    yx_ = factor(stretch, product_q30_down(posed_s, c), -product_q30_down(posed_c, s));
+    yy_ = factor(stretch, product_q30_down(posed_s, s), product_q30_down(posed_c, c));
+}
+
+Point PosedBone::operator()(Point point) const
+{
+    did(Work::carried_point);
+    const Point from = point - rest_.origin;
+    const std::int32_t x = from.x.raw();
+    const std::int32_t y = from.y.raw();
+    if (is_modest_way(x) && is_modest_way(y) && is_modest_factor(xx_) && is_modest_factor(xy_) &&
+        is_modest_factor(yx_) && is_modest_factor(yy_)) // mostly
+        return {held(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
+                held(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
+    return clamped_point(posed_.origin.x.raw() + sum_of_products(xx_, x, xy_, y),
+                         posed_.origin.y.raw() + sum_of_products(yx_, x, yy_, y));
+}
+
+Affine PosedBone::map() const
+{
+    const std::int32_t x = rest_.origin.x.raw();
+    const std::int32_t y = rest_.origin.y.raw();
+    return {.xx = xx_,
+            .xy = xy_,
+            .yx = yx_,
+            .yy = yy_,
+            .x0 = posed_.origin.x.raw() - sum_of_products(xx_, x, xy_, y),
+            .y0 = posed_.origin.y.raw() - sum_of_products(yx_, x, yy_, y)};
+}
+
+void set_up_bones(const SceneView& scene, const PreparedScene& prepared, std::span<PosedBone> live)
+{
+    std::size_t number = 0;
+    for (const BoneNode& bone : prepared.bones()) {
+        live[number] = {};
+        live[number++].set_up(set_up_of(scene, bone), parent_of(bone, live));
+    }
+}
+
+void pose_bones(const SceneView& scene, const PreparedScene& prepared, std::span<PosedBone> live)
+{
+    std::size_t number = 0;
+    for (const BoneNode& bone : prepared.bones()) {
+        const BoneSetUp set_up = set_up_of(scene, bone);
+        live[number++].pose(set_up, parent_of(bone, live), values_of(prepared, bone, set_up));
+    }
+}
+
+}

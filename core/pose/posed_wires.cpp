@@ -1,0 +1,16 @@
+#include "core/pose/posed_wires.hpp"
+
+#include "core/raster/outline/object_outline.hpp"
+
+namespace kfast {
+
+/// z goes by the law for x.
+Point PosedWires::seen(Pair<Point> flat, Pair<Point> depths) const
+{
+    const Fixed z = lerp(depths.a.x, depths.b.x, way_.x);
+    return see_.in_front(z)(lerp(flat.a, flat.b, way_.x, way_.y));
+}
+
+template void PosedWires::trace(ObjectOutline& outline);
+
+}

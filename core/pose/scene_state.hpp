@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/math/canvas_map.hpp"
+#include "core/math/point.hpp"
+#include "core/pose/input_drawing.hpp"
+#include "core/pose/scene_on_panel.hpp"
+#include "core/scene/scene_view.hpp"
+#include "core/time/time.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace kfast {
+
+/// A scene on one panel, and what it is told from outside: what all that plays scenes has in common.
+class SceneState {
+public:
+    /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
+    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their usual values.
+    void set_input(std::uint32_t number, Time place);
+    Time input(std::uint32_t number) const { return inputs_[number]; }
+    /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
+    /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
+    /// inputs have their usual texts. One that is no text stays as it is.
+    void set_text(std::uint32_t number, std::string_view text);
+    /// The glyphs of the input `number` of the scene, a text, by their numbers.
+    std::span<const std::byte> text(std::uint32_t number) const
+    {
+        return on_panel_.texts.glyphs(scene(), number);
+    }
+    /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
+    /// counts; at first it is the usual one. Whether there is room for them; if not, nothing changes.
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes);
+    /// Likewise what has been told to drawing(number).
+    void show_next_drawing(std::uint32_t number);
+    /// For telling a drawing point by point. What is next is shown by show_next_drawing() alone.
+    InputDrawing drawing(std::uint32_t number) const { return on_panel_.drawings.of(scene(), number); }
+
+    const SceneView& scene() const { return on_panel_.scene; }
+
+protected:
+    /// Bytes of memory for what moves.
+    static std::size_t bytes_for(const SceneView& scene);
+
+    /// `memory`, aligned to 4 bytes, has bytes_for(scene). It and `scene`'s bytes must outlive this.
+    SceneState(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory);
+
+    const SceneOnPanel& on_panel() const { return on_panel_; }
+    /// Moves the prepared scene to a moment, and tells what has moved since the one before: keys, and what
+    /// was told.
+    const Dependence& move_to(Time time);
+    /// As at that moment.
+    void pose_bones();
+    /// Both. What is returned holds until an input is told.
+    Moment pose(Time time);
+
+private:
+    void note_told(std::uint32_t number);
+
+    SceneOnPanel on_panel_;
+    std::span<Time> inputs_; ///< where each of them stands
+    std::uint32_t told_ = 0; ///< a bit for each input that was told something new
+};
+
+}

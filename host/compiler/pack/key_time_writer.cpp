@@ -1,0 +1,60 @@
+#include "host/compiler/pack/key_time_writer.hpp"
+
+#include "host/compiler/pack/bit_writer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace kfast {
+namespace {
+
+constexpr int max_shift = 15;
+constexpr std::uint32_t input_bit = 1 << 15;
+
+/// The time of each since the one before.
+std::vector<std::uint32_t> steps_of(const KeyTimes& key_times)
+{
+    std::vector<std::uint32_t> steps;
+    Time before;
+    for (const WrittenKeyTime& key_time : key_times) {
+        steps.push_back(static_cast<std::uint32_t>((key_time.time - before).ticks));
+        before = key_time.time;
+    }
+    return steps;
+}
+
+std::uint32_t bits_for(std::uint32_t largest) { return static_cast<std::uint32_t>(std::bit_width(largest)); }
+
+/// A single beat is the same by any clock.
+Driver told_driver(const DrivenKeyTimes& key_times)
+{
+    return key_times.key_times.size() == 1 ? Driver{} : key_times.driver;
+}
+
+}
+
+void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_value, ByteWriter& bytes)
+{
+    const auto& key_times = driven.key_times;
+    const Driver driver = told_driver(driven);
+    if (key_times == default_value.key_times && driver == told_driver(default_value))
+        return bytes.varint(0);
+    const std::vector<std::uint32_t> steps = steps_of(key_times);
+    const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});
+    const int shift = all_bits == 0 ? 0 : std::min(std::countr_zero(all_bits), max_shift);
+    const std::uint32_t time_bits = bits_for(std::ranges::max(steps) >> shift);
+    const std::uint32_t law_bits = bits_for(std::ranges::max(key_times, {}, &WrittenKeyTime::laws).laws);
+    bytes.varint(static_cast<std::uint32_t>(key_times.size()));
+    bytes.u16(time_bits | static_cast<std::uint32_t>(shift) << 5 | law_bits << 9 |
+              (driver.is_time() ? 0 : input_bit));
+    if (!driver.is_time())
+        bytes.u8(driver.input);
+    BitWriter bits{bytes};
+    for (std::size_t i = 0; i < key_times.size(); ++i) {
+        bits.number(steps[i] >> shift, time_bits);
+        bits.number(key_times[i].laws, law_bits);
+    }
+}
+
+}

@@ -1,0 +1,91 @@
+#include "host/scene/language_schema.hpp"
+
+#include "host/scene/font/font_shelf.hpp"
+#include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/items/group_reader.hpp"
+#include "host/scene/items/input_reader.hpp"
+#include "host/scene/items/key_reader.hpp"
+#include "host/scene/items/object_reader.hpp"
+#include "host/scene/items/skeleton_reader.hpp"
+#include "host/scene/items/symbol_reader.hpp"
+#include "host/scene/items/symbol_use.hpp"
+#include "host/scene/items/track_reader.hpp"
+#include "host/scene/scene_reader.hpp"
+#include "host/scene/shapes/mesh_reader.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
+#include "host/scene/shapes/wire_reader.hpp"
+#include "host/scene/skeleton/backbone_reader.hpp"
+#include "host/scene/skeleton/bone_reader.hpp"
+#include "host/scene/skeleton/bones_reader.hpp"
+#include "host/scene/skeleton/pose_reader.hpp"
+#include "host/scene/skeleton/reach_reader.hpp"
+#include "host/scene/skeleton/weights_reader.hpp"
+#include "host/scene/values/canvas_reader.hpp"
+#include "host/scene/values/clip_reader.hpp"
+#include "host/scene/values/event_reader.hpp"
+#include "host/scene/values/law_reader.hpp"
+#include "host/scene/values/palette_reader.hpp"
+#include "host/scene/values/timed_value.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace kfast::scene {
+namespace {
+
+std::vector<NodeSchema> all_nodes()
+{
+    std::vector<NodeSchema> nodes;
+    const auto add = [&nodes](std::vector<NodeSchema> words) {
+        std::ranges::move(words, std::back_inserter(nodes));
+    };
+    add({version_words(), canvas_words()});
+    add(palette_words());
+    add(input_words());
+    add({object_words(), group_words()});
+    add(use_words());
+    add(symbol_words());
+    add(key_words());
+    add(track_words());
+    add({at_words()});
+    add(shape_words());
+    add(wire_words());
+    add(mesh_words());
+    add({empty_words(), skeleton_words()});
+    add(backbone_words());
+    add(weights_words());
+    add({bones_words(), bone_words()});
+    add(pose_words());
+    add(reach_words());
+    add({clip_words(), event_words()});
+    return nodes;
+}
+
+}
+
+LanguageSchema language_schema()
+{
+    const auto outermost = names_outermost();
+    const auto fonts = FontShelf::bundled_names();
+    return {{outermost.begin(), outermost.end()},
+            all_nodes(),
+            quantity_words(),
+            law_forms(),
+            known_colour_names(),
+            {fonts.begin(), fonts.end()}};
+}
+
+std::vector<std::string_view> holders(const LanguageSchema& words, std::string_view id)
+{
+    std::vector<std::string_view> ids;
+    if (std::ranges::find(words.outermost, id) != words.outermost.end())
+        ids.push_back("");
+    for (const NodeSchema& node : words.nodes)
+        if (std::ranges::find(node.inside, id) != node.inside.end() &&
+            std::ranges::find(ids, node.id) == ids.end())
+            ids.push_back(node.id);
+    return ids;
+}
+
+}

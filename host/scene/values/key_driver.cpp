@@ -1,0 +1,43 @@
+#include "host/scene/values/key_driver.hpp"
+
+#include "host/scene/values/input_user.hpp"
+#include "host/scene/values/value_reader.hpp"
+#include "host/schema/property_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kfast::scene {
+
+std::optional<Time> KeyDriver::read_moment(const kdl::Value& value, SceneContext& context) const
+{
+    if (!input_)
+        return read_time(value, context);
+    const Range range{input_->min / 1000.0, input_->max / 1000.0};
+    const auto number = read_number(value, is_range_known_ ? range : input_values, context.report);
+    if (!number)
+        return std::nullopt;
+    const double share = std::clamp((*number - range.low) / (range.high - range.low), 0.0, 1.0);
+    return Time{static_cast<std::int32_t>(std::lround(share * whole_input.ticks))};
+}
+
+std::string_view KeyDriver::grain() const
+{
+    return is_time() ? "times are rounded to 1/1024 frame; choose another"
+                     : "values are rounded to 1/65536 of the range of the input; choose another";
+}
+
+std::optional<KeyDriver> read_key_driver(const kdl::Value& value, SceneContext& context)
+{
+    const auto number = use_input(value, InputType::number, context);
+    return number ? std::optional{KeyDriver{context.inputs, *number}} : std::nullopt;
+}
+
+void warn_of_idle_input(const kdl::Node& node, bool has_keys, SceneContext& context)
+{
+    if (!has_keys && has_property(node, "input"))
+        context.report.warning(property_span(node, "input"), "this input moves nothing: there are no keys",
+                               "add keys, or remove input=…");
+}
+
+}

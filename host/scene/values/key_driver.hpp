@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/time/time.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene/context/input_table.hpp"
+#include "host/scene/context/scene_context.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kfast::scene {
+
+/// What keys go by, and so what their moments are as they are written: times, or values of an input.
+class KeyDriver {
+public:
+    /// The time of the scene.
+    KeyDriver() = default;
+    /// The input `number` of `inputs`.
+    KeyDriver(const InputTable& inputs, std::size_t number)
+        : input_{inputs.entries[number].input}, is_range_known_{inputs.entries[number].is_range_known},
+          driver_{static_cast<std::uint8_t>(number + 1)}
+    {
+    }
+
+    Driver driver() const { return driver_; }
+    bool is_time() const { return driver_.is_time(); }
+    /// Reports what is wrong with `value` and then returns nothing.
+    std::optional<Time> read_moment(const kdl::Value& value, SceneContext& context) const;
+    /// What a moment is called: "time" or "value".
+    std::string_view noun() const { return is_time() ? "time" : "value"; }
+    /// How finely moments are told apart, in words.
+    std::string_view grain() const;
+
+private:
+    std::optional<Input> input_;
+    bool is_range_known_ = true;
+    Driver driver_;
+};
+
+/// Of a property `input=NAME`; the input is in use then.
+std::optional<KeyDriver> read_key_driver(const kdl::Value& value, SceneContext& context);
+
+/// Warns of a property `input` of `node`, an item, that has no keys itself.
+void warn_of_idle_input(const kdl::Node& node, bool has_keys, SceneContext& context);
+
+/// For the table of properties of something that has a `clock`.
+template <class Target>
+bool read_own_clock(const kdl::Value& value, Target& target, SceneContext& context)
+{
+    const auto driver = read_key_driver(value, context);
+    if (driver)
+        target.driver = *driver;
+    return driver.has_value();
+}
+
+}
