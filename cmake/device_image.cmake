@@ -7,8 +7,8 @@ include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 # through.
 set(KFAST_EVERY_ROW
     player raster/coverage
-    beam/beam_course beam/beam_lines beam/beam_pace beam/beam_piece beam/beam_plot beam/beam_route beam/beam_turn beam/leg_corners
-    beam/nearest_leg beam/tour)
+    beam/beam_lines beam/beam_route beam/beam_timing beam/beam_turn beam/leg_corners beam/line_interpolator beam/nearest_neighbour
+    beam/point_sequencer beam/point_stream beam/tour)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 

@@ -9,10 +9,10 @@
 
 /// The rest of the player reaches the code of a feature through these pointers alone, so that a linker can
 /// leave it out. Objects that only a feature makes (StrokeOutline, PosedBackbones, Projection,
-/// CarriedDrawing) carry pointers to what works on them.
+/// DeformedDrawing) carry pointers to what works on them.
 namespace kfast {
 
-class CarriedDrawing;
+class DeformedDrawing;
 class PosedBackbones;
 class PosedBone;
 class InputDrawings;
@@ -62,7 +62,7 @@ struct BoneFeature {
     void (*prepare)(Preparer&);
     void (*set_up)(const SceneView&, const PreparedScene&, std::span<PosedBone>);
     void (*pose)(const SceneView&, const PreparedScene&, std::span<PosedBone>);
-    CarriedDrawing (*carried)(const ObjectStrokes&, std::uint32_t drawing, std::int32_t skin);
+    DeformedDrawing (*deformed)(const ObjectStrokes&, std::uint32_t drawing, std::int32_t skin);
 };
 
 struct BackboneFeature {

@@ -28,23 +28,23 @@ void Playhead::seek(Time moment)
     put_down_ = true;
 }
 
-Playhead::SourceSpan Playhead::way_in(std::int64_t ticks) const
+Playhead::Position Playhead::distance_in(std::int64_t ticks) const
 {
-    const SourceSpan way = ticks * (speed_ < 0 ? -speed_ : speed_);
+    const Position distance = ticks * (speed_ < 0 ? -speed_ : speed_);
     if (has_events_ || stretch_.loop == Loop::once)
-        return way;
+        return distance;
     const auto length = static_cast<std::uint32_t>(stretch_.length().ticks);
     const std::uint32_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
-    const auto whole_ticks = static_cast<std::uint64_t>(way >> 16);
-    return SourceSpan{remainder(whole_ticks, period)} << 16 | (way & 0xFFFF);
+    const auto whole_ticks = static_cast<std::uint64_t>(distance >> 16);
+    return Position{remainder(whole_ticks, period)} << 16 | (distance & 0xFFFF);
 }
 
-Playhead::SourceSpan Playhead::next_stop(SourceSpan way) const
+Playhead::Position Playhead::next_stop(Position distance) const
 {
-    return runs_back() ? std::max(goal(), place_ - way) : std::min(goal(), place_ + way);
+    return runs_back() ? std::max(goal(), place_ - distance) : std::min(goal(), place_ + distance);
 }
 
-Playhead::Ticks Playhead::ticks_to(SourceSpan place) const
+Playhead::Ticks Playhead::ticks_to(Position place) const
 {
     if (runs_back())
         return {ceiling(place), ceiling(place_) - 1};

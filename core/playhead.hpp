@@ -56,25 +56,25 @@ public:
 
 private:
     /// Ticks of the timeline in Q16.
-    using SourceSpan = std::int64_t;
+    using Position = std::int64_t;
     /// The whole ticks from `first` to `last`, both included.
     struct Ticks {
         std::int32_t first = 0;
         std::int32_t last = 0;
     };
 
-    static constexpr SourceSpan place_of(Time time) { return SourceSpan{time.ticks} << 16; }
-    static constexpr std::int32_t floor(SourceSpan place) { return static_cast<std::int32_t>(place >> 16); }
-    static constexpr std::int32_t ceiling(SourceSpan place) { return floor(place + 0xFFFF); }
+    static constexpr Position place_of(Time time) { return Position{time.ticks} << 16; }
+    static constexpr std::int32_t floor(Position place) { return static_cast<std::int32_t>(place >> 16); }
+    static constexpr std::int32_t ceiling(Position place) { return floor(place + 0xFFFF); }
 
     bool runs_back() const { return (speed_ < 0) != returning_; }
     /// The end that it runs to.
-    SourceSpan goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
-    SourceSpan way_in(std::int64_t ticks) const;
+    Position goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
+    Position distance_in(std::int64_t ticks) const;
     /// How far it comes on `way` without a turn.
-    SourceSpan next_stop(SourceSpan way) const;
+    Position next_stop(Position distance) const;
     /// Where it arrives on the way to `place`: without the place where it stands.
-    Ticks ticks_to(SourceSpan place) const;
+    Ticks ticks_to(Position place) const;
     /// The events from tick `first` on.
     EventCursor events_from(std::int32_t first) const;
     std::int32_t count(Ticks ticks) const;
@@ -90,7 +90,7 @@ private:
 
     PlayRange stretch_;
     EventCursor events_;
-    SourceSpan place_;
+    Position place_;
     std::int32_t speed_ = as_authored;
     bool has_events_;
     bool returning_ = false; ///< on the way back of ping-pong
@@ -103,16 +103,16 @@ void Playhead::advance(std::int64_t ticks, Report&& report)
     if (put_down_)
         put_at(moment(), report);
     put_down_ = false;
-    SourceSpan way = way_in(ticks);
-    while (way > 0) {
-        const SourceSpan stop = next_stop(way);
-        way -= stop < place_ ? place_ - stop : stop - place_;
+    Position distance = distance_in(ticks);
+    while (distance > 0) {
+        const Position stop = next_stop(distance);
+        distance -= stop < place_ ? place_ - stop : stop - place_;
         report_within(ticks_to(stop), report);
         place_ = stop;
         if (finished())
             return;
         // Forwards a repeating stretch cannot stand at its end, which looks like its beginning.
-        if (place_ == goal() && (way > 0 || !runs_back()))
+        if (place_ == goal() && (distance > 0 || !runs_back()))
             turn(report);
     }
 }

@@ -1,6 +1,6 @@
 #include "core/scene_walk.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/pixel/colour.hpp"
 #include "core/scene/item_view.hpp"
 
@@ -51,8 +51,8 @@ bool SceneWalk::enter(const Node& node)
     const WalkLevel& outer = *top_;
     const PreparedScene& prepared = on_panel_.prepared;
     const std::uint32_t path = path_to(node.place, outer.path);
-    work_for(path);
-    did(Work::item);
+    count_ops_for(path);
+    count_op(Op::item);
     Dependence dependence = outer.dependence;
     for (const TrackState& track : prepared.tracks(node)) {
         const Dependence of_track = prepared.dependence(track);

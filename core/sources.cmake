@@ -4,21 +4,21 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/math/angle.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/backbone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/backbone_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_course.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_gait.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/point_sequencer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/step_profile.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pace.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_timing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pen.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_piece.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/line_interpolator.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_player.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_plot.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/point_stream.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_route.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_turn.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/hatching.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/hatching_bytes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/leg_corners.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_leg.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_neighbour.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/key_time_cursor.cpp
@@ -26,7 +26,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/bone_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/bone_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/canvas_map.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/carried_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/deformed_drawing.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/code_point.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/crc32.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/drawing_check.cpp
@@ -37,7 +37,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/every_feature.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/flatten.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/glyph_set.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/heading.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/direction.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/hermite.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/input_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp

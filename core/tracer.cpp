@@ -1,6 +1,6 @@
 #include "core/tracer.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/feature_code.hpp"
 #include "core/pixel/colour.hpp"
 #include "core/pose/input_drawing.hpp"
@@ -9,9 +9,9 @@
 namespace kfast {
 namespace {
 
-Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t growth)
+Pen pen_for(const ObjectStyle& style, Fixed width, std::int32_t scale_factor)
 {
-    return {.half_width = half_width(width, growth),
+    return {.half_width = half_width(width, scale_factor),
             .cap = style.cap,
             .join = style.join,
             .miter_limit = style.miter_limit};
@@ -45,7 +45,7 @@ void Tracer::trace_scene()
 {
     using Step = SceneWalk::Step;
     using Kind = raster::PaintStep::Kind;
-    did(Work::picture);
+    count_op(Op::picture);
     picture_.step_count = 0;
     SceneWalk walk{on_panel_, SceneWalk::Opacity::of_groups};
     for (Step step = walk.next(); step != Step::end; step = walk.next()) {
@@ -61,7 +61,7 @@ void Tracer::trace_scene()
             break; // all of it is traced again
     }
     picture_.dependence = walk.whole();
-    work_for(0);
+    count_ops_for(0);
 }
 
 void Tracer::trace_leaf(SceneWalk& walk)
@@ -97,9 +97,9 @@ void Tracer::trace_object(SceneWalk& walk)
     const ObjectStrokes strokes{on_panel_, object};
     if (object.has_depths)
         return on_panel_.scene.features().wires->trace(*this, strokes, walk);
-    if (const auto carrier = strokes.rigid_carrier())
-        if (const auto placement = rigid_placement(*carrier, walk.space())) {
-            const bool moves = object.carrier != Carrier::none || walk.place_dependence().keys != 0;
+    if (const auto deformer = strokes.rigid_deformation())
+        if (const auto placement = rigid_placement(*deformer, walk.space())) {
+            const bool moves = object.deformer != Deformer::none || walk.place_dependence().keys != 0;
             return add_rigid_layers(walk, *placement,
                                     [&](const Pen* pen) { trace_rigid(strokes, pen, *placement, moves); });
         }
@@ -113,11 +113,11 @@ void Tracer::trace_object(SceneWalk& walk)
         });
 }
 
-std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& carrier, const Space& space) const
+std::optional<RigidPlacement> Tracer::rigid_placement(const Affine& deformer, const Space& space) const
 {
     if (!space.is_flat())
         return std::nullopt;
-    return on_panel_.rigid.of(carrier == Affine{} ? space.plane : space.plane * carrier);
+    return on_panel_.rigid.of(deformer == Affine{} ? space.plane : space.plane * deformer);
 }
 
 /// Contours of what moves are kept; what never moves is traced once.
@@ -174,7 +174,7 @@ void Tracer::trace_drawing(SceneWalk& walk)
     add_live_layers(
         walk, [&] { return start_of(drawing); },
         [&](const Affine& placement, ObjectOutline& outline) {
-            did(Work::object);
+            count_op(Op::object);
             trace_live_strokes(drawing, placement, outline);
         });
 }
@@ -209,7 +209,8 @@ void Tracer::add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, Trace
     if (!walk.space().is_flat())
         return on_panel_.scene.features().depth->add_layers(*this, walk, first_point, trace);
     add_layers(
-        walk, ViewProjection{nullptr, picture_.coarseness}, plane, [&] { return plane.growth(); }, trace);
+        walk, ViewProjection{nullptr, picture_.coarseness}, plane, [&] { return plane.scale_factor(); },
+        trace);
 }
 
 void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
@@ -217,12 +218,12 @@ void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_poi
     const Projection projection{walk.space(), on_panel_.camera};
     add_layers(
         walk, ViewProjection{&projection, picture_.coarseness}, Affine{},
-        [&] { return projection.growth_at(first_point()); }, trace);
+        [&] { return projection.scale_factor_at(first_point()); }, trace);
 }
 
 /// growth() is by what the pen grows.
 void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
-                        FunctionRef<std::int32_t()> growth, TraceStrokes trace)
+                        FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace)
 {
     const ObjectStyle& style = walk.node().style;
     ObjectOutline outline{picture_.outlines, sight};
@@ -231,7 +232,7 @@ void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affi
         add_layer(Part::fill, walk, trace_placed);
     if (!style.is_stroked)
         return;
-    outline.stroke_with(pen_for(style, walk.state().width(), growth()), pens());
+    outline.stroke_with(pen_for(style, walk.state().width(), scale_factor()), pens());
     add_layer(Part::stroke, walk, trace_placed);
 }
 

@@ -48,13 +48,13 @@ private:
     void trace_leaf(SceneWalk& walk);
     void trace_object(SceneWalk& walk);
     void trace_live(SceneWalk& walk);
-    std::optional<RigidPlacement> rigid_placement(const Affine& carrier, const Space& space) const;
+    std::optional<RigidPlacement> rigid_placement(const Affine& deformer, const Space& space) const;
     void trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const RigidPlacement& placement,
                      bool moves);
     bool reuse_layers(const SceneWalk& walk);
     void add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
-                    FunctionRef<std::int32_t()> growth, TraceStrokes trace);
+                    FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace);
     const StrokeFeature& pens() const { return *on_panel_.scene.features().strokes; }
     void add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
     void add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,

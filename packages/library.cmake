@@ -1,4 +1,4 @@
-# The library for other programs. Unlike kfast_core in the command it counts nothing (core/bytes/work.hpp), so it is compiled
+# The library for other programs. Unlike kfast_core in the command it counts nothing (core/bytes/op_counter.hpp), so it is compiled
 # by itself.
 include(CMakePackageConfigHelpers)
 include(${PROJECT_SOURCE_DIR}/core/sources.cmake)

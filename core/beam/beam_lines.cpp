@@ -23,7 +23,7 @@ void BeamLines::begin(Colour colour, std::uint32_t item)
 void BeamLines::add(FieldPoint point)
 {
     const bool is_new = open_.points == 0 || points_[point_count_ - 1] != point;
-    if (!is_new || !has_room_for(sizeof(FieldPoint) + sizeof(BeamLine)))
+    if (!is_new || !has_capacity_for(sizeof(FieldPoint) + sizeof(BeamLine)))
         return;
     points_[point_count_++] = point;
     ++open_.points;
@@ -43,7 +43,7 @@ void BeamLines::drop()
     open_.points = 0;
 }
 
-bool BeamLines::has_room_for(std::size_t bytes)
+bool BeamLines::has_capacity_for(std::size_t bytes)
 {
     is_full_ = is_full_ || point_count_ == max_points || used_bytes() + bytes > size_;
     return !is_full_;

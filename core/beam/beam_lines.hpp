@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    bool has_room_for(std::size_t bytes);
+    bool has_capacity_for(std::size_t bytes);
 
     FieldPoint* points_ = nullptr;
     BeamLine* end_ = nullptr;

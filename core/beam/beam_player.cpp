@@ -44,7 +44,7 @@ struct BlockPlan {
 };
 
 /// As they are told: a laser is not always lit where its lines are (StandingLight).
-std::uint32_t lit_points(BeamPlot plot)
+std::uint32_t lit_points(PointStream plot)
 {
     std::uint32_t lit = 0;
     std::array<BeamPoint, 32> points;
@@ -111,17 +111,17 @@ void BeamPlayer::trace()
 
 void BeamPlayer::measure()
 {
-    pace_ = find_pace(lines_, legs_, profile_, budget_, pace_.haste);
-    const BeamAmount& amount = pace_.amount;
+    timing_ = find_timing(lines_, legs_, profile_, budget_, timing_.speed_level);
+    const BeamAmount& amount = timing_.amount;
     report_ = {.points = amount.points,
                .lit_points = profile_.is_laser ? lit_points(plot()) : amount.lit_points,
                .lit_length = amount.lit_length,
                .blanked_length = amount.blanked_length,
-               .lines = static_cast<std::uint32_t>(pace_.legs),
+               .lines = static_cast<std::uint32_t>(timing_.legs),
                .corners = static_cast<std::uint32_t>(lines_.corners()),
                .compared = compared_,
-               .haste = pace_.haste,
-               .is_complete = !lines_.is_full() && pace_.legs == lines_.size(),
+               .speed_level = timing_.speed_level,
+               .is_complete = !lines_.is_full() && timing_.legs == lines_.size(),
                .wider_hatchings = wider_hatchings_};
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/beam/beam_lines.hpp"
-#include "core/beam/beam_pace.hpp"
-#include "core/beam/beam_plot.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
+#include "core/beam/beam_timing.hpp"
+#include "core/beam/point_stream.hpp"
 #include "core/bytes/result.hpp"
 #include "core/pose/scene_state.hpp"
 #include "core/scene/scene_view.hpp"
@@ -25,7 +25,7 @@ struct BeamReport {
     std::uint32_t lines = 0;           ///< that are drawn
     std::uint32_t corners = 0;         ///< of all lines, their ends included
     std::uint32_t compared = 0;        ///< travels, more or less, to find the order of the lines
-    int haste = 0;                     ///< the beam is 2^(haste / 4) times as fast, to keep within the budget
+    int speed_level = 0;               ///< the beam is 2^(haste / 4) times as fast, to keep within the budget
     bool is_complete = true;           ///< there was room and time for all lines
     std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as told
 };
@@ -59,7 +59,7 @@ public:
     /// The points of the picture, from its beginning. They can be repeated as they are: the last one is
     /// followed by the first one. At least one: where there is nothing to draw, the beam is parked. Valid
     /// until the next call of show().
-    BeamPlot plot() const { return {lines_, legs_, profile_, pace_}; }
+    PointStream plot() const { return {lines_, legs_, profile_, timing_}; }
     const BeamProfile& profile() const { return profile_; }
 
 private:
@@ -71,7 +71,7 @@ private:
     BeamLines lines_;
     std::span<BeamLeg> leg_storage_;
     std::span<const BeamLeg> legs_;
-    BeamPace pace_;
+    BeamTiming timing_;
     BeamReport report_;
     std::uint32_t compared_ = 0;
     std::uint32_t wider_hatchings_ = 0;

@@ -12,7 +12,8 @@ namespace kfast {
 enum class BeamBrightness : std::uint8_t {
     none,     ///< not at all: all light is white
     by_level, ///< by its Z input, or the power of its laser
-    by_speed, ///< the beam goes faster along dark lines, at most 8 times (BeamGait::darkest); light is white
+    by_speed, ///< the beam goes faster along dark lines, at most 8 times (StepProfile::darkest); light is
+              ///< white
 };
 
 /// How the beam of a vector display is to be led. Lengths are in units of the field (field_point.hpp), times

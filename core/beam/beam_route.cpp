@@ -1,7 +1,7 @@
 #include "core/beam/beam_route.hpp"
 
 #include "core/beam/beam_point.hpp"
-#include "core/beam/nearest_leg.hpp"
+#include "core/beam/nearest_neighbour.hpp"
 #include "core/beam/strip_order.hpp"
 #include "core/beam/tour.hpp"
 

@@ -11,7 +11,7 @@ constexpr std::int32_t longest_exact = field_max - 1;
 
 }
 
-BeamHeading::BeamHeading(FieldVector piece, std::uint32_t length)
+BeamDirection::BeamDirection(FieldVector piece, std::uint32_t length)
 {
     if (length < shortest)
         return;
@@ -21,7 +21,7 @@ BeamHeading::BeamHeading(FieldVector piece, std::uint32_t length)
     length_ = is_long ? length / 4 : length;
 }
 
-BeamTurn::BeamTurn(const BeamHeading& before, const BeamHeading& after)
+BeamTurn::BeamTurn(const BeamDirection& before, const BeamDirection& after)
 {
     if (!before.is_known() || !after.is_known())
         return;

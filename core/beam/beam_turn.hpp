@@ -7,13 +7,13 @@
 namespace kfast {
 
 /// Which way a straight piece runs.
-class BeamHeading {
+class BeamDirection {
 public:
     /// Shorter pieces have none: their corners are rounded.
     static constexpr std::uint32_t shortest = 8;
 
-    BeamHeading() = default;
-    BeamHeading(FieldVector piece, std::uint32_t length);
+    BeamDirection() = default;
+    BeamDirection(FieldVector piece, std::uint32_t length);
 
     bool is_known() const { return length_ != 0; }
 
@@ -29,7 +29,7 @@ private:
 class BeamTurn {
 public:
     /// None if one of them is not known.
-    BeamTurn(const BeamHeading& before, const BeamHeading& after);
+    BeamTurn(const BeamDirection& before, const BeamDirection& after);
 
     /// By 29° (the cosine is 7/8) or more. What turns by less is taken for a curve.
     bool is_corner() const { return rest_ > whole_ >> 3; }

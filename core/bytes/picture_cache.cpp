@@ -39,13 +39,14 @@ const std::uint32_t* PictureCache::find(const Name& name)
     return nullptr;
 }
 
-void PictureCache::begin(const Name& name, Coming coming)
+void PictureCache::begin(const Name& name, Incoming incoming)
 {
     name_ = name;
-    coming_ = name == failed_ ? Coming::beside_others : coming; // it would replace others for nothing again
+    incoming_ =
+        name == failed_ ? Incoming::beside_others : incoming; // it would replace others for nothing again
     end_ = used_;
-    is_coming_ = find_room(head_words);
-    if (!is_coming_)
+    is_incoming_ = reserve(head_words);
+    if (!is_incoming_)
         return;
     new (memory_ + end_) Set{name, 0, picture_};
     end_ += head_words;
@@ -53,8 +54,8 @@ void PictureCache::begin(const Name& name, Coming coming)
 
 std::uint32_t* PictureCache::add(std::size_t count)
 {
-    is_coming_ = is_coming_ && find_room(count);
-    if (!is_coming_)
+    is_incoming_ = is_incoming_ && reserve(count);
+    if (!is_incoming_)
         return nullptr;
     end_ += count;
     return memory_ + end_ - count;
@@ -62,10 +63,10 @@ std::uint32_t* PictureCache::add(std::size_t count)
 
 const std::uint32_t* PictureCache::end(bool is_complete)
 {
-    if (!is_coming_)
+    if (!is_incoming_)
         failed_ = name_;
-    const bool is_kept = is_coming_ && is_complete && end_ - used_ <= max_words;
-    is_coming_ = false;
+    const bool is_kept = is_incoming_ && is_complete && end_ - used_ <= max_words;
+    is_incoming_ = false;
     if (!is_kept)
         return nullptr;
     found_ = used_;
@@ -75,7 +76,7 @@ const std::uint32_t* PictureCache::end(bool is_complete)
 }
 
 /// Behind the set that is coming in.
-bool PictureCache::find_room(std::size_t count)
+bool PictureCache::reserve(std::size_t count)
 {
     while (size_ - end_ < count)
         if (!remove_one())
@@ -89,7 +90,7 @@ bool PictureCache::remove_one()
     if (used_ == 0)
         return false;
     std::size_t place = found_;
-    std::size_t next_alike = used_;
+    std::size_t next_of_kind = used_;
     do {
         place = next_place(place);
         const Set& set = set_at(place);
@@ -97,12 +98,12 @@ bool PictureCache::remove_one()
             remove(place);
             return true;
         }
-        if (set.picture != picture_ && set.name.back() == name_.back() && next_alike == used_)
-            next_alike = place;
+        if (set.picture != picture_ && set.name.back() == name_.back() && next_of_kind == used_)
+            next_of_kind = place;
     } while (place != found_);
-    if (coming_ != Coming::replaces_next || next_alike == used_)
+    if (incoming_ != Incoming::replaces_next || next_of_kind == used_)
         return false;
-    remove(next_alike);
+    remove(next_of_kind);
     return true;
 }
 

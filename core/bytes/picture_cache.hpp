@@ -35,15 +35,15 @@ public:
     /// For what comes in, sets make way that neither this picture nor the one before has wanted; then, if it
     /// replaces the next, those of its kind (the last word of names) that come next and that this picture has
     /// not wanted so far. What found no room in that way replaces none when it comes in again.
-    enum class Coming : std::uint8_t { beside_others, replaces_next };
+    enum class Incoming : std::uint8_t { beside_others, replaces_next };
 
     /// A set comes in. None of this name is kept.
-    [[gnu::cold, gnu::noinline]] void begin(const Name& name, Coming coming);
+    [[gnu::cold, gnu::noinline]] void begin(const Name& name, Incoming incoming);
     /// Memory for `count` words more of it; valid until the next call. Null if they find no room, then the
     /// set is not kept.
     [[gnu::cold, gnu::noinline]] std::uint32_t* add(std::size_t count);
     /// All of its words so far; valid until the next call.
-    std::uint32_t* coming() const { return words_of(used_); }
+    std::uint32_t* incoming() const { return words_of(used_); }
     /// Its words, if it is complete and found room; then it is kept.
     [[gnu::cold, gnu::noinline]] const std::uint32_t* end(bool is_complete);
 
@@ -64,17 +64,17 @@ private:
     Set& set_at(std::size_t place) const { return *reinterpret_cast<Set*>(memory_ + place); }
     std::uint32_t* words_of(std::size_t place) const { return memory_ + place + head_words; }
     std::size_t next_place(std::size_t place) const;
-    [[gnu::cold]] bool find_room(std::size_t count);
+    [[gnu::cold]] bool reserve(std::size_t count);
     [[gnu::cold]] bool remove_one();
     [[gnu::cold]] void remove(std::size_t place);
 
     std::uint32_t* memory_ = nullptr;
-    std::size_t size_ = 0;   ///< of the memory, in words, as all that follows
-    std::size_t used_ = 0;   ///< by sets that are kept
-    std::size_t end_ = 0;    ///< of the set that is coming in
-    std::size_t found_ = 0;  ///< place of the set that was found last
-    bool is_coming_ = false; ///< a set is, and has found room so far
-    Coming coming_ = Coming::beside_others;
+    std::size_t size_ = 0;     ///< of the memory, in words, as all that follows
+    std::size_t used_ = 0;     ///< by sets that are kept
+    std::size_t end_ = 0;      ///< of the set that is coming in
+    std::size_t found_ = 0;    ///< place of the set that was found last
+    bool is_incoming_ = false; ///< a set is, and has found room so far
+    Incoming incoming_ = Incoming::beside_others;
     Name name_{};              ///< of that set
     Name failed_{};            ///< of the last one that found no room
     std::uint8_t picture_ = 2; ///< a number of it; sets of older ones may have 0

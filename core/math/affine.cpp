@@ -12,12 +12,13 @@ namespace {
 constexpr std::int64_t widest = Fixed::pixels(4095).raw();
 
 /// Whether all of it is, and its shift.
-bool is_modest(const Affine& map)
+bool is_small(const Affine& map)
 {
-    return is_modest_factor(map.xx) && is_modest_factor(map.xy) && is_modest_factor(map.yx) &&
-           is_modest_factor(map.yy) && map.x0 == static_cast<std::int32_t>(map.x0) &&
-           map.y0 == static_cast<std::int32_t>(map.y0) && is_modest_way(static_cast<std::int32_t>(map.x0)) &&
-           is_modest_way(static_cast<std::int32_t>(map.y0));
+    return is_small_factor(map.xx) && is_small_factor(map.xy) && is_small_factor(map.yx) &&
+           is_small_factor(map.yy) && map.x0 == static_cast<std::int32_t>(map.x0) &&
+           map.y0 == static_cast<std::int32_t>(map.y0) &&
+           is_small_distance(static_cast<std::int32_t>(map.x0)) &&
+           is_small_distance(static_cast<std::int32_t>(map.y0));
 }
 
 /// Of two modest ones.
@@ -41,7 +42,7 @@ Point Affine::operator()(Point point) const
                          sum_of_products(yx, point.x.raw(), yy, point.y.raw()) + y0);
 }
 
-std::int32_t Affine::growth() const
+std::int32_t Affine::scale_factor() const
 {
     if (xy == 0 && yx == 0 && std::abs(xx) == std::abs(yy))
         return std::abs(xx);
@@ -51,7 +52,7 @@ std::int32_t Affine::growth() const
 
 Affine operator*(const Affine& outer, const Affine& inner)
 {
-    if (is_modest(outer) && is_modest(inner)) // mostly
+    if (is_small(outer) && is_small(inner)) // mostly
         return short_product(outer, inner);
     return {.xx = held_factor(sum_of_products(outer.xx, inner.xx, outer.xy, inner.yx)),
             .xy = held_factor(sum_of_products(outer.xx, inner.xy, outer.xy, inner.yy)),
@@ -61,9 +62,9 @@ Affine operator*(const Affine& outer, const Affine& inner)
             .y0 = outer.y0 + sum_of_products(outer.yx, inner.x0, outer.yy, inner.y0)};
 }
 
-Fixed half_width(Fixed width, std::int32_t growth)
+Fixed half_width(Fixed width, std::int32_t scale_factor)
 {
-    const std::int64_t raw = (std::int64_t{width.raw()} * growth + Fixed::one) >> 17;
+    const std::int64_t raw = (std::int64_t{width.raw()} * scale_factor + Fixed::one) >> 17;
     return Fixed::from_raw(static_cast<std::int32_t>(std::min(raw, widest)));
 }
 

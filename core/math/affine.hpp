@@ -22,7 +22,7 @@ struct Affine {
     /// differences of mapped coordinates fit in Fixed.
     Point operator()(Point point) const;
     /// By what lengths grow, in Q16: the square root of what areas grow by, rounded down.
-    std::int32_t growth() const;
+    std::int32_t scale_factor() const;
 
     friend bool operator==(const Affine&, const Affine&) = default;
 };
@@ -38,6 +38,6 @@ Affine operator*(const Affine& outer, const Affine& inner);
 
 /// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `growth` (Q16); rounded to
 /// 1/65536 px, at most 4095 px.
-Fixed half_width(Fixed width, std::int32_t growth);
+Fixed half_width(Fixed width, std::int32_t scale_factor);
 
 }

@@ -62,7 +62,10 @@ std::int32_t ratio_q15(std::uint32_t smaller, std::uint32_t larger)
 
 }
 
-std::int32_t quarter_sine(Share share) { return quarter_sine(static_cast<std::int32_t>(share.raw << 14)); }
+std::int32_t quarter_sine(Fraction fraction)
+{
+    return quarter_sine(static_cast<std::int32_t>(fraction.raw << 14));
+}
 
 std::int32_t sine(FineAngle angle)
 {

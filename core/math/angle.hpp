@@ -45,7 +45,7 @@ constexpr std::int32_t shortest_turn(BinaryAngle from, BinaryAngle to)
 inline constexpr std::int32_t one_q30 = 1 << 30;
 
 /// sin(share * 90 degrees) in Q30, within 16 units of the exact value, monotone, exact at both ends.
-std::int32_t quarter_sine(Share share);
+std::int32_t quarter_sine(Fraction fraction);
 
 /// In Q30, within 16 units of the exact value.
 std::int32_t sine(FineAngle angle);

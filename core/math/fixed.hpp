@@ -65,14 +65,14 @@ constexpr std::uint32_t remainder(std::uint64_t dividend, std::uint32_t divisor)
 }
 
 /// A share of a whole, 0 … 1, in Q16: 65536 is the whole.
-struct Share {
+struct Fraction {
     std::uint32_t raw = 0;
 
     static constexpr std::uint32_t one = 65536;
 
     /// numerator / denominator for 0 <= numerator <= denominator, rounded to nearest, halves up.
     /// `denominator` is at least 1.
-    static constexpr Share ratio(std::uint32_t numerator, std::uint32_t denominator)
+    static constexpr Fraction ratio(std::uint32_t numerator, std::uint32_t denominator)
     {
         if (numerator < 0x4000) // keeps the division in 32 bits
             return {((numerator << 16) + denominator / 2) / denominator};
@@ -80,17 +80,17 @@ struct Share {
         return {static_cast<std::uint32_t>(quotient(scaled, denominator))};
     }
 
-    friend constexpr auto operator<=>(Share, Share) = default;
+    friend constexpr auto operator<=>(Fraction, Fraction) = default;
 };
 
 /// A share of the way between two keys in Q16: 65536 is the whole. Velocity laws may swing beyond both ends,
 /// within -1.5 … 2.5.
-struct Way {
+struct Progress {
     std::int32_t raw = 0;
 
     static constexpr std::int32_t one = 65536;
 
-    friend constexpr auto operator<=>(Way, Way) = default;
+    friend constexpr auto operator<=>(Progress, Progress) = default;
 };
 
 /// A length in pixels in Q16.16: 1/65536 px, -32768 … 32767 px. Sums and differences do not check their
@@ -138,17 +138,17 @@ constexpr std::int32_t multiply_q16(std::int32_t value, std::int32_t factor)
 }
 
 /// From `a` (share 0, exact) to `b` (share 1, exact); rounded once. |a - b| is less than 32768 px.
-constexpr Fixed lerp(Fixed a, Fixed b, Share share)
+constexpr Fixed lerp(Fixed a, Fixed b, Fraction fraction)
 {
-    return a + Fixed::from_raw(multiply_q16((b - a).raw(), static_cast<std::int32_t>(share.raw)));
+    return a + Fixed::from_raw(multiply_q16((b - a).raw(), static_cast<std::int32_t>(fraction.raw)));
 }
 
 /// From `a` (way 0, exact) to `b` (way 1, exact) and beyond; rounded once. |a - b| is less than 32768 px
 /// for ways of 0 … 1. For ways beyond, a and b are within ±4095 px, as all coordinates of a canvas: then the
 /// result is within ±16380 px, and any two results are less than 32768 px apart.
-constexpr Fixed lerp(Fixed a, Fixed b, Way way)
+constexpr Fixed lerp(Fixed a, Fixed b, Progress progress)
 {
-    return a + Fixed::from_raw(multiply_q16((b - a).raw(), way.raw));
+    return a + Fixed::from_raw(multiply_q16((b - a).raw(), progress.raw));
 }
 
 /// p a + q b in Q16, rounded to nearest, halves up. A factor 0 saves its product.
@@ -169,8 +169,8 @@ constexpr bool fits_in(std::int32_t value, int bits)
 }
 
 /// Of factors in Q16, at most 8, and of ways, at most 1024 px: sums of two products are within ±16384 px.
-constexpr bool is_modest_factor(std::int32_t factor) { return fits_in(factor, 19); }
-constexpr bool is_modest_way(std::int32_t raw) { return fits_in(raw, 26); }
+constexpr bool is_small_factor(std::int32_t factor) { return fits_in(factor, 19); }
+constexpr bool is_small_distance(std::int32_t raw) { return fits_in(raw, 26); }
 
 /// a b / 2^30, rounded down; both are within ±2^30.
 constexpr std::int32_t product_q30_down(std::int32_t a, std::int32_t b)
@@ -201,7 +201,7 @@ constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std
 [[gnu::noinline]] constexpr std::int64_t sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q,
                                                          std::int32_t b)
 {
-    if (is_modest_factor(p) && is_modest_factor(q) && is_modest_way(a) && is_modest_way(b))
+    if (is_small_factor(p) && is_small_factor(q) && is_small_distance(a) && is_small_distance(b))
         return short_sum_of_products(p, a, q, b);
     return sum_of_products(p, std::int64_t{a}, q, std::int64_t{b});
 }

@@ -34,7 +34,7 @@ constexpr auto step_lengths = [] {
         while (2U << shift <= n)
             ++shift;
         const auto power = [shift](std::uint32_t divisor, int exponent) {
-            return ((Share::one << exponent * shift) + divisor / 2) / divisor;
+            return ((Fraction::one << exponent * shift) + divisor / 2) / divisor;
         };
         table[n] = {power(n, 1), power(n * n, 2), power(n * n * n, 3), shift};
     }

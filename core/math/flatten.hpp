@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/segment.hpp"
 
 #include <cstdint>
@@ -51,9 +51,9 @@ private:
             value += first;
             first += second;
             second += third;
-            const auto way = static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> shift);
+            const auto delta = static_cast<std::uint32_t>(static_cast<std::int32_t>(value) >> shift);
             return Fixed::from_raw(
-                static_cast<std::int32_t>(static_cast<std::uint32_t>(from.raw()) + (way << result_bits)));
+                static_cast<std::int32_t>(static_cast<std::uint32_t>(from.raw()) + (delta << result_bits)));
         }
     };
 
@@ -69,7 +69,7 @@ private:
 template <class LineTo>
 void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
 {
-    did(Work::piece, static_cast<std::uint32_t>(pieces));
+    count_op(Op::piece, static_cast<std::uint32_t>(pieces));
     CubicSteps steps{cubic, pieces};
     for (int left = pieces - 1; left > 0; --left)
         line_to(steps.next());
@@ -82,8 +82,8 @@ template <class LineTo>
 void flatten(const Segment& segment, int pieces, LineTo line_to)
 {
     if (segment.kind == Segment::Kind::cubic && pieces > max_steps) {
-        const Share part{Share::one / static_cast<std::uint32_t>(pieces / max_steps)};
-        for (Share begin; begin.raw != Share::one; begin.raw += part.raw) {
+        const Fraction part{Fraction::one / static_cast<std::uint32_t>(pieces / max_steps)};
+        for (Fraction begin; begin.raw != Fraction::one; begin.raw += part.raw) {
             const Segment cubic = stretch(segment, begin, {begin.raw + part.raw});
             if (begin.raw != 0)
                 line_to(cubic.from);

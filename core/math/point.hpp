@@ -28,10 +28,16 @@ constexpr std::int32_t rough_length(std::int32_t x, std::int32_t y)
 }
 
 /// As lerp() of Fixed, for x and y alike.
-constexpr Point lerp(Point a, Point b, Share share) { return {lerp(a.x, b.x, share), lerp(a.y, b.y, share)}; }
+constexpr Point lerp(Point a, Point b, Fraction fraction)
+{
+    return {lerp(a.x, b.x, fraction), lerp(a.y, b.y, fraction)};
+}
 
 /// With separate ways for x and y.
-constexpr Point lerp(Point a, Point b, Way x, Way y) { return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)}; }
+constexpr Point lerp(Point a, Point b, Progress x, Progress y)
+{
+    return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)};
+}
 
 /// What lies further away from the origin in x or y, in whole pixels, is moved there: so far that differences
 /// fit in Fixed.

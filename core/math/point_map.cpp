@@ -1,6 +1,6 @@
 #include "core/math/point_map.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 
@@ -10,7 +10,7 @@ namespace kfast {
 namespace {
 
 /// Of |x| and |y| before a shift, and of the shift: their sum need not be held.
-constexpr std::int32_t modest_shift = Fixed::pixels(max_coordinate / 2).raw();
+constexpr std::int32_t small_shift = Fixed::pixels(max_coordinate / 2).raw();
 
 constexpr bool is_within(std::int64_t value, std::int32_t limit) { return value > -limit && value < limit; }
 
@@ -18,13 +18,13 @@ constexpr bool is_within(std::int64_t value, std::int32_t limit) { return value 
 
 PointMap::PointMap(const Affine& map) : map_{map}, kind_{Kind::any}
 {
-    if (!is_within(map.x0, modest_shift) || !is_within(map.y0, modest_shift))
+    if (!is_within(map.x0, small_shift) || !is_within(map.y0, small_shift))
         return;
     if (map.xx == Fixed::one && map.yy == Fixed::one && map.xy == 0 && map.yx == 0)
         kind_ = Kind::shift;
-    else if (is_modest_factor(map.xx) && is_modest_factor(map.xy) && is_modest_factor(map.yx) &&
-             is_modest_factor(map.yy))
-        kind_ = Kind::modest;
+    else if (is_small_factor(map.xx) && is_small_factor(map.xy) && is_small_factor(map.yx) &&
+             is_small_factor(map.yy))
+        kind_ = Kind::small;
 }
 
 Point PointMap::shift() const
@@ -39,10 +39,10 @@ Point PointMap::operator()(Point point) const
     const std::int32_t y = point.y.raw();
     const auto x0 = static_cast<std::int32_t>(map_.x0);
     const auto y0 = static_cast<std::int32_t>(map_.y0);
-    if (kind_ == Kind::shift && is_within(x, modest_shift) && is_within(y, modest_shift))
+    if (kind_ == Kind::shift && is_within(x, small_shift) && is_within(y, small_shift))
         return {Fixed::from_raw(x + x0), Fixed::from_raw(y + y0)};
-    const bool is_short = kind_ == Kind::modest && is_modest_way(x) && is_modest_way(y);
-    did(is_short ? Work::point : Work::wide_point);
+    const bool is_short = kind_ == Kind::small && is_small_distance(x) && is_small_distance(y);
+    count_op(is_short ? Op::point : Op::wide_point);
     if (is_short)
         return {held(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
                 held(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};

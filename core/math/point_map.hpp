@@ -20,7 +20,7 @@ public:
     Point shift() const;
 
 private:
-    enum class Kind : std::uint8_t { shift, modest, any };
+    enum class Kind : std::uint8_t { shift, small, any };
 
     const Affine& map_;
     Kind kind_;

@@ -1,7 +1,7 @@
 #include "core/math/projection.hpp"
 
 #include "core/bytes/function_ref.hpp"
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 
@@ -43,7 +43,7 @@ Projection::Projection(const Space& space, const Camera& camera)
 
 Point Projection::seen(Point point) const
 {
-    did(Work::projected_point);
+    count_op(Op::projected_point);
     const Affine& plane = space_.plane;
     const std::int64_t x = sum_of_products(plane.xx, point.x.raw(), plane.xy, point.y.raw()) + plane.x0;
     const std::int64_t y = sum_of_products(plane.yx, point.x.raw(), plane.yy, point.y.raw()) + plane.y0;
@@ -64,7 +64,7 @@ std::int64_t Projection::nearness(Point point) const
 
 // With n = d / (d - z), a point x is seen at n x, and n changes by n^2 / d for each step in z: the seen x
 // changes by n (dx + n x / d dz).
-std::int32_t Projection::growth_at(Point point) const
+std::int32_t Projection::scale_factor_at(Point point) const
 {
     const std::int64_t near = nearness(point);
     const Point on_panel = seen(point);
@@ -80,7 +80,7 @@ std::int32_t Projection::growth_at(Point point) const
                   .xy = grown(plane.xy, seen_x, space_.zy),
                   .yx = grown(plane.yx, seen_y, space_.zx),
                   .yy = grown(plane.yy, seen_y, space_.zy)}
-        .growth();
+        .scale_factor();
 }
 
 Projection Projection::in_front(Fixed z) const

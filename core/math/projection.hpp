@@ -23,7 +23,7 @@ public:
     /// To the panel, within 1/64 px for points that are seen less than 512 px from its middle.
     Point operator()(Point point) const { return see_(*this, point); }
     /// By what lengths around `point` grow, in Q16: the square root of what areas grow by, rounded down.
-    std::int32_t growth_at(Point point) const;
+    std::int32_t scale_factor_at(Point point) const;
 
     // Only wire frames need these: see PosedWires.
     /// Of the plane that lies `z` in front of the item's, by its own z.

@@ -4,7 +4,7 @@ namespace kfast {
 namespace {
 
 /// The polar form of a cubic: blossom(t, t, t) is the point at t.
-Point blossom(const Segment& cubic, Share r, Share s, Share t)
+Point blossom(const Segment& cubic, Fraction r, Fraction s, Fraction t)
 {
     const Point a = lerp(cubic.from, cubic.c1, r);
     const Point b = lerp(cubic.c1, cubic.c2, r);
@@ -18,7 +18,7 @@ Segment as_cubic(const Segment& segment)
 {
     if (segment.kind == Segment::Kind::cubic)
         return segment;
-    constexpr Share third = Share::ratio(1, 3);
+    constexpr Fraction third = Fraction::ratio(1, 3);
     return {.kind = Segment::Kind::cubic,
             .from = segment.from,
             .c1 = lerp(segment.from, segment.to, third),
@@ -37,14 +37,14 @@ Segment rounded_to_grid(const Segment& segment)
             rounded(segment.to)};
 }
 
-Point point_at(const Segment& segment, Share share)
+Point point_at(const Segment& segment, Fraction fraction)
 {
     if (segment.kind == Segment::Kind::line)
-        return lerp(segment.from, segment.to, share);
-    return blossom(segment, share, share, share);
+        return lerp(segment.from, segment.to, fraction);
+    return blossom(segment, fraction, fraction, fraction);
 }
 
-Segment stretch(const Segment& whole, Share begin, Share end)
+Segment stretch(const Segment& whole, Fraction begin, Fraction end)
 {
     Segment part{.kind = whole.kind, .from = point_at(whole, begin), .to = point_at(whole, end)};
     if (whole.kind == Segment::Kind::cubic) {
@@ -54,7 +54,7 @@ Segment stretch(const Segment& whole, Share begin, Share end)
     return part;
 }
 
-Segment tween(const Segment& a, const Segment& b, Way x, Way y)
+Segment tween(const Segment& a, const Segment& b, Progress x, Progress y)
 {
     Segment live{.kind = a.kind, .from = lerp(a.from, b.from, x, y), .to = lerp(a.to, b.to, x, y)};
     if (a.kind == Segment::Kind::cubic) {

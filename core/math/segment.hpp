@@ -34,13 +34,13 @@ constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
-[[gnu::cold]] Segment stretch(const Segment& whole, Share begin, Share end);
+[[gnu::cold]] Segment stretch(const Segment& whole, Fraction begin, Fraction end);
 
 /// The point on `segment` at a share of its parameter, within 2/65536 px; on a line rounded once.
-Point point_at(const Segment& segment, Share share);
+Point point_at(const Segment& segment, Fraction fraction);
 
 /// Between two segments of one kind, with separate ways for x and y, which may lead beyond either; rounded
 /// once, each end exact.
-Segment tween(const Segment& a, const Segment& b, Way x, Way y);
+Segment tween(const Segment& a, const Segment& b, Progress x, Progress y);
 
 }

@@ -15,8 +15,8 @@ std::int32_t component(std::int32_t q30) { return (q30 + (1 << 13)) >> 14; }
 /// Of two components of unit vectors.
 std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
 
-struct Direction {
-    explicit Direction(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
+struct CosineSine {
+    explicit CosineSine(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
 
     std::int32_t cosine; ///< Q30
     std::int32_t sine;
@@ -26,7 +26,7 @@ struct Direction {
 
 Space upright(const Turning& turning)
 {
-    const Direction z{turning.z};
+    const CosineSine z{turning.z};
     return {.plane = {.xx = scaled_component(z.cosine, turning.scale_x),
                       .xy = scaled_component(-z.sine, turning.scale_y),
                       .yx = scaled_component(z.sine, turning.scale_x),
@@ -35,9 +35,9 @@ Space upright(const Turning& turning)
 
 Space tilted(const Turning& turning)
 {
-    const Direction x{turning.x};
-    const Direction y{turning.y};
-    const Direction z{turning.z};
+    const CosineSine x{turning.x};
+    const CosineSine y{turning.y};
+    const CosineSine z{turning.z};
     const auto [scale_x, scale_y] = std::pair{turning.scale_x, turning.scale_y};
     const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
     const std::int32_t deep_y = product(y.sine, z.sine);

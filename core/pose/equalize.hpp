@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/function_ref.hpp"
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/scene/drawing_view.hpp"
 
@@ -66,7 +66,7 @@ public:
         const std::uint32_t number = sub_segment_ * pieces + piece_;
         const std::uint32_t count = sub_segments_ * pieces;
         advance();
-        did(Work::split);
+        count_op(Op::split);
         next = count == 1 ? segment_ : piece_of_segment(number, count);
     }
 
@@ -107,8 +107,8 @@ private:
     /// Its ends are those of the segment where it has none of its own.
     Segment piece_of_segment(std::uint32_t number, std::uint32_t count) const
     {
-        Segment piece =
-            rounded_to_grid(stretch(segment_, Share::ratio(number, count), Share::ratio(number + 1, count)));
+        Segment piece = rounded_to_grid(
+            stretch(segment_, Fraction::ratio(number, count), Fraction::ratio(number + 1, count)));
         if (number == 0)
             piece.from = segment_.from;
         if (number + 1 == count)
@@ -154,7 +154,7 @@ struct Pair {
 };
 
 /// A line paired with a curve becomes a curve.
-inline void make_alike(Pair<Segment>& both)
+inline void make_same_kind(Pair<Segment>& both)
 {
     if (both.a.kind == both.b.kind)
         return;
@@ -234,7 +234,7 @@ public:
             (a_is_empty_ ? both_.a : both_.b) = still_segment(centre_);
         }
         is_plain_ = is_plain_ && both_.a.kind == both_.b.kind;
-        make_alike(both_);
+        make_same_kind(both_);
         return both_;
     }
 
@@ -266,7 +266,7 @@ private:
             low = {std::min(low.x, to.x), std::min(low.y, to.y)};
             high = {std::max(high.x, to.x), std::max(high.y, to.y)};
         }
-        centre_ = rounded_to_grid(still_segment(lerp(low, high, {Share::one / 2}))).to;
+        centre_ = rounded_to_grid(still_segment(lerp(low, high, {Fraction::one / 2}))).to;
     }
 
     BrokenDrawing<R> a_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
 #include "core/math/point_map.hpp"
@@ -95,13 +95,13 @@ void trace_live_strokes(const InputDrawing& drawing, const Affine& placement, Ou
 {
     const PointMap place{placement};
     for (std::uint32_t number = 0; number < drawing.strokes(); ++number) {
-        did(Work::stroke);
+        count_op(Op::stroke);
         const InputStroke stroke = drawing.stroke(number);
         const Point first = place(point_of(stroke.front()));
         outline.begin(first);
         Point from = first;
         for (const InputPoint& point : stroke.subspan(1)) {
-            did(Work::line);
+            count_op(Op::line);
             const Point to = place(point_of(point));
             outline.add(Segment{.from = from, .to = to});
             from = to;

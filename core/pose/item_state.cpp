@@ -1,6 +1,6 @@
 #include "core/pose/item_state.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/feature_code.hpp"
 #include "core/math/angle.hpp"
 #include "core/math/turning.hpp"
@@ -13,16 +13,17 @@
 namespace kfast {
 namespace {
 
-std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Way way)
+std::uint8_t channel_between(std::uint8_t from, std::uint8_t to, Progress progress)
 {
-    const std::int32_t value = from + multiply(to - from, way.raw, 16);
+    const std::int32_t value = from + multiply(to - from, progress.raw, 16);
     return static_cast<std::uint8_t>(std::clamp<std::int32_t>(value, 0, 255));
 }
 
-Colour colour_between(Colour from, Colour to, Way way)
+Colour colour_between(Colour from, Colour to, Progress progress)
 {
-    return {channel_between(from.red, to.red, way), channel_between(from.green, to.green, way),
-            channel_between(from.blue, to.blue, way), channel_between(from.opacity, to.opacity, way)};
+    return {channel_between(from.red, to.red, progress), channel_between(from.green, to.green, progress),
+            channel_between(from.blue, to.blue, progress),
+            channel_between(from.opacity, to.opacity, progress)};
 }
 
 /// Rounded to nearest, halves up.
@@ -58,7 +59,7 @@ private:
     std::int32_t value(Property property) const { return fine_[static_cast<std::size_t>(property)]; }
     Fixed in_pixels(Property property) const { return fine_pixels(value(property)); }
     FineAngle angle(Property property) const { return FineAngle::of_fine(value(property)); }
-    Space turn() const;
+    Space rotation() const;
 
     const Features& features_;
     std::array<std::int32_t, static_cast<std::size_t>(Property::along) + 1> fine_{};
@@ -68,7 +69,7 @@ private:
 
 Space Placement::space() const
 {
-    const Space turned = turn();
+    const Space turned = rotation();
     const Fixed pivot_x = in_pixels(Property::pivot_x);
     const Fixed pivot_y = in_pixels(Property::pivot_y);
     const Space to_pivot{.plane = {.x0 = -pivot_x.raw(), .y0 = -pivot_y.raw()}};
@@ -82,7 +83,7 @@ Space Placement::space() const
     return placed;
 }
 
-Space Placement::turn() const
+Space Placement::rotation() const
 {
     const Turning turning{.x = angle(Property::rotation_x),
                           .y = angle(Property::rotation_y),
@@ -129,12 +130,12 @@ std::uint32_t ItemState::opacity() const
 
 Space ItemState::placement() const
 {
-    did(Work::placement);
+    count_op(Op::placement);
     Placement placement{scene_.features()};
     for (const TrackState& track : prepared_.tracks(item_)) {
         if (!places_item(static_cast<Property>(track.property)))
             break;
-        did(Work::track);
+        count_op(Op::track);
         placement.fine(static_cast<Property>(track.property)) = prepared_.fine_value(scene_, track);
     }
     if (item_.has_path)
@@ -152,9 +153,9 @@ Colour ItemState::colour(Property property, std::uint8_t without_track) const
     const TrackState* const found = track(property);
     if (found == nullptr)
         return scene_.colour(without_track);
-    const auto [from, to, way] = prepared_.key_span(*found, LawAxis::x);
+    const auto [from, to, progress] = prepared_.key_span(*found, LawAxis::x);
     const Colour first = scene_.colour(static_cast<std::size_t>(from));
-    return from == to ? first : colour_between(first, scene_.colour(static_cast<std::size_t>(to)), way);
+    return from == to ? first : colour_between(first, scene_.colour(static_cast<std::size_t>(to)), progress);
 }
 
 Fixed ItemState::width() const

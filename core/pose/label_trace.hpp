@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 #include "core/pose/label_layout.hpp"
 #include "core/pose/posed_strokes.hpp"
 #include "core/scene/label_view.hpp"
@@ -31,8 +31,8 @@ public:
     {
         for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
             const PlacedGlyph glyph = layout.next();
-            did(Work::object);
-            CarriedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
+            count_op(Op::object);
+            DeformedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
             trace_strokes(drawing, placement, outline);
         }
     }

@@ -11,7 +11,7 @@ ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const Node& object)
     const TrackState& drawing = prepared.key_track(object, KeyValue::drawing);
     from_.drawing = static_cast<std::uint32_t>(drawing.from);
     to_.drawing = static_cast<std::uint32_t>(prepared.arrival(object));
-    way_ = prepared.progress(drawing);
+    progress_ = prepared.progress(drawing);
     if (!object.has_more())
         return;
     const TrackState& more = prepared.key_track(object, KeyValue::more);
@@ -19,11 +19,11 @@ ObjectStrokes::ObjectStrokes(const SceneOnPanel& scene, const Node& object)
     to_.more = more.to;
 }
 
-std::optional<Affine> ObjectStrokes::rigid_carrier() const
+std::optional<Affine> ObjectStrokes::rigid_deformation() const
 {
-    if (!on_panel_.prepared.has_one_drawing(object_) || object_.carrier == Carrier::backbones)
+    if (!on_panel_.prepared.has_one_drawing(object_) || object_.deformer == Deformer::backbones)
         return std::nullopt;
-    if (object_.carrier == Carrier::none)
+    if (object_.deformer == Deformer::none)
         return Affine{};
     if (from_.more >= 0) // a skin, of several bones
         return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<Affine> ObjectStrokes::rigid_carrier() const
 Point ObjectStrokes::first_point() const
 {
     PackedDrawing drawing = on_panel_.scene.drawing(from_.drawing);
-    if (object_.carrier == Carrier::backbones)
+    if (object_.deformer == Deformer::backbones)
         drawing = on_panel_.scene.drawing(
             item_view(on_panel_.scene, object_).object.backbones.keys().next().drawing);
     if (drawing.strokes() != 0)
@@ -43,21 +43,21 @@ Point ObjectStrokes::first_point() const
 
 void ObjectStrokes::trace_drawing(const Affine& placement, ObjectOutline& outline) const
 {
-    did(Work::object);
-    CarriedDrawing drawing{on_panel_.scene.drawing(from_.drawing)};
+    count_op(Op::object);
+    DeformedDrawing drawing{on_panel_.scene.drawing(from_.drawing)};
     trace_strokes(drawing, placement, outline);
 }
 
 bool ObjectStrokes::is_one_drawing() const
 {
-    return object_.carrier != Carrier::backbones &&
-           (way_.is_at_beginning() || on_panel_.prepared.has_one_drawing(object_));
+    return object_.deformer != Deformer::backbones &&
+           (progress_.is_at_beginning() || on_panel_.prepared.has_one_drawing(object_));
 }
 
 void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
 {
     const TweenFeature* const tweens = on_panel_.scene.features().tweens;
-    if (object_.carrier == Carrier::bones || tweens == nullptr)
+    if (object_.deformer == Deformer::bones || tweens == nullptr)
         trace(placement, outline);
     else
         tweens->trace_kept(*this, cache, placement, outline);
@@ -65,15 +65,15 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
 
 void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
 {
-    const PosedBackbones* const carriers = backbones(&cache); // first, for it may write to the cache
+    const PosedBackbones* const deformers = backbones(&cache); // first, for it may write to the cache
     const bool is_held =
         on_panel_.prepared.is_held(on_panel_.scene, on_panel_.prepared.key_track(object_, KeyValue::drawing));
     const std::uint32_t to = is_held ? from_.drawing : to_.drawing;
     const auto tween = kept_tween(cache, on_panel_.scene.drawings(), from_.drawing, to);
-    if (!tween || (way_.is_at_beginning() && !tween->is_plain()))
+    if (!tween || (progress_.is_at_beginning() && !tween->is_plain()))
         return trace(placement, outline);
-    did(Work::object);
-    trace_kept(*tween, way_, carriers, placement, outline);
+    count_op(Op::object);
+    trace_kept(*tween, progress_, deformers, placement, outline);
 }
 
 /// Apart, so that the stack has what they are made of only as long as they are made.
@@ -81,8 +81,8 @@ void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement,
 {
     const SceneView& scene = on_panel_.scene;
     return {{scene.drawing(from_.drawing).strokes(), scene.drawing(to_.drawing).strokes()},
-            [this](bool is_second) { return carried(is_second ? to_ : from_); },
-            way_,
+            [this](bool is_second) { return deformed(is_second ? to_ : from_); },
+            progress_,
             backbones(nullptr),
             placement};
 }
@@ -92,17 +92,17 @@ void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement,
     const auto wires = [](const Shown& shown) {
         return WireDrawing{shown.drawing, static_cast<std::uint32_t>(shown.more)};
     };
-    return {on_panel_.scene.drawings(), wires(from_), wires(to_), way_, projection};
+    return {on_panel_.scene.drawings(), wires(from_), wires(to_), progress_, projection};
 }
 
-CarriedDrawing ObjectStrokes::carried(const Shown& shown) const
+DeformedDrawing ObjectStrokes::deformed(const Shown& shown) const
 {
-    if (object_.carrier != Carrier::bones)
-        return CarriedDrawing{on_panel_.scene.drawing(shown.drawing)};
-    return on_panel_.scene.features().bones->carried(*this, shown.drawing, shown.more);
+    if (object_.deformer != Deformer::bones)
+        return DeformedDrawing{on_panel_.scene.drawing(shown.drawing)};
+    return on_panel_.scene.features().bones->deformed(*this, shown.drawing, shown.more);
 }
 
-CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32_t skin) const
+DeformedDrawing ObjectStrokes::deformed_by_bones(std::uint32_t drawing, std::int32_t skin) const
 {
     const SceneView& scene = on_panel_.scene;
     const PackedDrawing own = scene.drawing(drawing);
@@ -114,7 +114,7 @@ CarriedDrawing ObjectStrokes::carried_by_bones(std::uint32_t drawing, std::int32
 /// Null if none carry the object.
 const PosedBackbones* ObjectStrokes::backbones(PictureCache* cache) const
 {
-    if (object_.carrier != Carrier::backbones)
+    if (object_.deformer != Deformer::backbones)
         return nullptr;
     return &on_panel_.scene.features().backbones->live(*this, cache);
 }

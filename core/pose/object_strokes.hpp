@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/bytes/op_counter.hpp"
 #include "core/bytes/picture_cache.hpp"
-#include "core/bytes/work.hpp"
 #include "core/feature_code.hpp"
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 #include "core/pose/posed_backbones.hpp"
 #include "core/pose/posed_strokes.hpp"
 #include "core/pose/posed_wires.hpp"
@@ -29,7 +29,7 @@ public:
 
     /// What places the drawing of the key before, if that is all that there is, and moves as a whole: a bone,
     /// or nothing. None if its points move on their own.
-    std::optional<Affine> rigid_carrier() const;
+    std::optional<Affine> rigid_deformation() const;
     /// The drawing of the key before.
     std::uint32_t drawing() const { return from_.drawing; }
     /// Adds its strokes, as they were drawn, likewise.
@@ -43,7 +43,7 @@ public:
     template <class Outline>
     void trace(const Affine& placement, Outline& outline) const
     {
-        did(Work::object);
+        count_op(Op::object);
         if (is_one_drawing())
             return trace_from(placement, outline);
         if constexpr (!std::same_as<Outline, ObjectOutline>)
@@ -56,7 +56,7 @@ public:
     template <class Outline>
     [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
     {
-        did(Work::object);
+        count_op(Op::object);
         PosedWires wires = posed_wires(projection);
         wires.trace(outline);
     }
@@ -73,7 +73,7 @@ public:
     /// The same from the cache, if both drawings find room there.
     void trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
     /// A key drawing, carried by a skin.
-    CarriedDrawing carried_by_bones(std::uint32_t drawing, std::int32_t skin) const;
+    DeformedDrawing deformed_by_bones(std::uint32_t drawing, std::int32_t skin) const;
     /// The backbones that carry the object. Their drawings are kept if there is a cache.
     const PosedBackbones& posed_backbones(PictureCache* cache) const;
 
@@ -91,11 +91,11 @@ private:
     template <class Outline>
     [[gnu::noinline]] void trace_from(const Affine& placement, Outline& outline) const
     {
-        CarriedDrawing drawing = carried(from_);
+        DeformedDrawing drawing = deformed(from_);
         trace_strokes(drawing, placement, outline);
     }
     PosedStrokes posed_strokes(const Affine& placement) const;
-    CarriedDrawing carried(const Shown& shown) const;
+    DeformedDrawing deformed(const Shown& shown) const;
     PosedWires posed_wires(const Projection& projection) const;
     const PosedBackbones* backbones(PictureCache* cache) const;
     void read_backbones(std::uint32_t from, std::uint32_t to) const;
@@ -104,7 +104,7 @@ private:
     const Node& object_;
     Shown from_;
     Shown to_; ///< to which the way leads: not always what the next key shows
-    Progress way_;
+    ProgressXY progress_;
     mutable std::optional<PosedBackbones> backbones_; ///< made when they are first wanted
 };
 

@@ -1,7 +1,7 @@
 #include "core/pose/posed_backbones.hpp"
 
 #include "core/bytes/function_ref.hpp"
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/point.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::int32_t one = Fixed::one;
 constexpr std::int32_t widest = 8 * one; ///< Q16, across
-/// What lies along a cell whose points are within modest_reach, or as far again beyond either end of it, is
-/// within three times that, and within nine times if it is up to modest_width across: Fixed can tell that.
-constexpr std::int32_t modest_reach = 1023 * one;
-constexpr std::int32_t modest_width = 2 * one;
+/// What lies along a cell whose points are within small_reach, or as far again beyond either end of it, is
+/// within three times that, and within nine times if it is up to small_width across: Fixed can tell that.
+constexpr std::int32_t small_reach = 1023 * one;
+constexpr std::int32_t small_width = 2 * one;
 
 /// `share` is in Q16 and may lie beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
@@ -43,15 +43,15 @@ Point placed_across(const BackboneNode& a, const BackboneNode& b, Point Backbone
     return clamped_point(placed(&Point::x), placed(&Point::y), farthest_tweened);
 }
 
-bool is_modest(Point point)
+bool is_small(Point point)
 {
-    return std::abs(point.x.raw()) <= modest_reach && std::abs(point.y.raw()) <= modest_reach;
+    return std::abs(point.x.raw()) <= small_reach && std::abs(point.y.raw()) <= small_reach;
 }
 
 }
 
 PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, PackedDrawing from,
-                               PackedDrawing to, Progress way)
+                               PackedDrawing to, ProgressXY progress)
     : between_{plain_function<&PosedBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
     const auto next_stroke = [&from, &to] {
@@ -60,20 +60,20 @@ PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit
     };
     const auto next_point = [&](bool is_first) {
         const Point a = is_first ? from.start() : from.next_segment().to;
-        return lerp(a, is_first ? to.start() : to.next_segment().to, way.x, way.y);
+        return lerp(a, is_first ? to.start() : to.next_segment().to, progress.x, progress.y);
     };
     take(from.strokes(), next_stroke, next_point);
 }
 
 PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
-                               Progress way)
+                               ProgressXY progress)
     : between_{plain_function<&PosedBackbones::between_points>}, nodes_{nodes}, unit_bits_{unit_bits}
 {
     const auto next_stroke = [&both] { return both.next_stroke(); };
     const auto next_point = [&](bool is_first) {
         if (!is_first)
             both.is_next_cubic(); // they are lines
-        return both.next_point(way);
+        return both.next_point(progress);
     };
     take(both.strokes(), next_stroke, next_point);
 }
@@ -93,7 +93,7 @@ void PosedBackbones::take(std::uint32_t strokes, FunctionRef<std::uint32_t()> ne
                 const Point at = next_point(node == first);
                 nodes_[node].*side = at;
                 nodes_[node].backbone = backbone;
-                are_modest_ = are_modest_ && is_modest(at);
+                are_small_ = are_small_ && is_small(at);
             }
         }
         nodes_[behind].backbone = -1;
@@ -112,22 +112,22 @@ Point PosedBackbones::place(Cell cell, Fixed across) const
     const auto side = across >= Fixed{} ? &BackboneNode::left : &BackboneNode::right;
     const std::int32_t size = across >= Fixed{} ? across.raw() : -across.raw();
     const std::int32_t width = std::min(size >> (unit_bits_ - 4), widest);
-    if (are_modest_ && width <= modest_width)
+    if (are_small_ && width <= small_width)
         return placed_across<std::int32_t>(a, b, side, cell.along, width);
     return placed_across<std::int64_t>(a, b, side, cell.along, width);
 }
 
-Point PosedBackbones::between_points(Point a, Point b, Progress way) const
+Point PosedBackbones::between_points(Point a, Point b, ProgressXY progress) const
 {
-    did(Work::bent_point);
+    count_op(Op::bent_point);
     if (a == b)
         return place(a);
-    const Point at = lerp(a, b, way.x, way.y);
+    const Point at = lerp(a, b, progress.x, progress.y);
     if (is_one_)
         return place(at);
     const std::int32_t backbone = backbone_of(cell_at(a.x));
     if (backbone != backbone_of(cell_at(b.x)))
-        return lerp(place(a), place(b), way.x, way.y);
+        return lerp(place(a), place(b), progress.x, progress.y);
     const Cell cell = cell_at(at.x);
     const std::int32_t reached = backbone_of(cell);
     return place(reached == backbone ? cell : end_of(backbone, reached < backbone), at.y);

@@ -29,19 +29,20 @@ public:
     /// `nodes` has room for as many as backbone_node_count() says and must outlive this. `from` and `to` are
     /// two drawings of the backbones, on whose way `way` has come.
     [[gnu::cold, gnu::noinline]] PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits,
-                                                PackedDrawing from, PackedDrawing to, Progress way);
+                                                PackedDrawing from, PackedDrawing to, ProgressXY progress);
     /// The same, of the two drawings as they are kept.
-    PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both, Progress way);
+    PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits, TweenReader both,
+                   ProgressXY progress);
 
     /// To the canvas, held within ±4095 px; rounded to 1/65536 px three times.
     Point place(Point relative) const;
     /// Between two points in relative coordinates: through these where both belong to one backbone, which a
     /// way that swings far does not leave either; else straight from one place to the other. Within ±16380
     /// px.
-    Point between(Point a, Point b, Progress way) const { return between_(*this, a, b, way); }
+    Point between(Point a, Point b, ProgressXY progress) const { return between_(*this, a, b, progress); }
 
 private:
-    Point between_points(Point a, Point b, Progress way) const;
+    Point between_points(Point a, Point b, ProgressXY progress) const;
     /// Where on which segment.
     struct Cell {
         std::int32_t node;  ///< the first of two
@@ -57,11 +58,11 @@ private:
     std::int32_t backbone_of(Cell cell) const { return nodes_[static_cast<std::size_t>(cell.node)].backbone; }
 
     /// What works on it: linked only with what makes one.
-    Point (*between_)(const PosedBackbones&, Point, Point, Progress);
+    Point (*between_)(const PosedBackbones&, Point, Point, ProgressXY);
     std::span<BackboneNode> nodes_;
     std::uint32_t unit_bits_;
-    bool is_one_ = false;    ///< there is a single backbone
-    bool are_modest_ = true; ///< the nodes lie where 32 bits are enough for most points
+    bool is_one_ = false;   ///< there is a single backbone
+    bool are_small_ = true; ///< the nodes lie where 32 bits are enough for most points
 };
 
 }

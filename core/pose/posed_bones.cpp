@@ -1,6 +1,6 @@
 #include "core/pose/posed_bones.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 #include "core/time/hermite.hpp"
@@ -104,12 +104,12 @@ void PosedBone::set_up(const BoneSetUp& bone, const PosedBone* parent)
 void PosedBone::pose(const BoneSetUp& bone, const PosedBone* parent,
                      std::span<const std::int32_t, bone_quantity_count> fine)
 {
-    did(Work::bone);
-    const Fixed shift = parent != nullptr && bone.is_at_tip ? parent->growth_ : Fixed{};
+    count_op(Op::bone);
+    const Fixed shift = parent != nullptr && bone.is_at_tip ? parent->extension_ : Fixed{};
     posed_ = frame_in(parent == nullptr ? BoneFrame{} : parent->posed_, fine, shift);
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
-    growth_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
+    extension_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
     const std::int64_t stretch = play_range_of(length, static_cast<std::uint32_t>(set_up_length));
     const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
     const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
@@ -121,12 +121,12 @@ void PosedBone::pose(const BoneSetUp& bone, const PosedBone* parent,
 
 Point PosedBone::operator()(Point point) const
 {
-    did(Work::carried_point);
+    count_op(Op::carried_point);
     const Point from = point - rest_.origin;
     const std::int32_t x = from.x.raw();
     const std::int32_t y = from.y.raw();
-    if (is_modest_way(x) && is_modest_way(y) && is_modest_factor(xx_) && is_modest_factor(xy_) &&
-        is_modest_factor(yx_) && is_modest_factor(yy_)) // mostly
+    if (is_small_distance(x) && is_small_distance(y) && is_small_factor(xx_) && is_small_factor(xy_) &&
+        is_small_factor(yx_) && is_small_factor(yy_)) // mostly
         return {held(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
                 held(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
     return clamped_point(posed_.origin.x.raw() + sum_of_products(xx_, x, xy_, y),

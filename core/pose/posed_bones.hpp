@@ -37,12 +37,12 @@ public:
 
     const BoneFrame& frame() const { return posed_; }
     /// Of the length, posed minus set-up.
-    Fixed growth() const { return growth_; }
+    Fixed extension() const { return extension_; }
 
 private:
     BoneFrame rest_;
     BoneFrame posed_;
-    Fixed growth_;
+    Fixed extension_;
     // R(a') S R(-a), Q16
     std::int32_t xx_ = Fixed::one;
     std::int32_t xy_ = 0;

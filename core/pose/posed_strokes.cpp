@@ -1,6 +1,6 @@
 #include "core/pose/posed_strokes.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/outline/object_outline.hpp"
 
 namespace kfast {
@@ -8,7 +8,7 @@ namespace kfast {
 /// `from` is where the segment before ended, the same bits.
 Segment PosedStrokes::live(const Pair<Segment>& both, Point from) const
 {
-    did(both.a.kind == Segment::Kind::line ? Work::line : Work::curve);
+    count_op(both.a.kind == Segment::Kind::line ? Op::line : Op::curve);
     Segment segment{.kind = both.a.kind, .from = from, .to = live(both.a.to, both.b.to)};
     if (segment.kind == Segment::Kind::cubic) {
         segment.c1 = live(both.a.c1, both.b.c1);
@@ -20,11 +20,11 @@ Segment PosedStrokes::live(const Pair<Segment>& both, Point from) const
 Point PosedStrokes::live(Point a, Point b) const
 {
     if (backbones_ != nullptr)
-        return place_(backbones_->between(a, b, way_));
-    return place_(a == b ? a : lerp(a, b, way_.x, way_.y));
+        return place_(backbones_->between(a, b, progress_));
+    return place_(a == b ? a : lerp(a, b, progress_.x, progress_.y));
 }
 
-template void trace_strokes(CarriedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
+template void trace_strokes(DeformedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
 template void PosedStrokes::trace(ObjectOutline& outline);
 
 namespace {
@@ -32,33 +32,37 @@ namespace {
 /// The points of two drawings as they lie on the way between them.
 class KeptPoints {
 public:
-    KeptPoints(TweenReader& tween, Progress way, const PosedBackbones* backbones, const Affine& placement)
-        : tween_{tween}, way_{way}, backbones_{backbones}, place_{placement},
+    KeptPoints(TweenReader& tween, ProgressXY progress, const PosedBackbones* backbones,
+               const Affine& placement)
+        : tween_{tween}, progress_{progress}, backbones_{backbones}, place_{placement},
           is_simple_{backbones == nullptr && tween.is_short() && place_.is_shift()}, shift_{place_.shift()}
     {
     }
 
     [[gnu::always_inline]] Point next()
     {
-        return is_simple_ ? tween_.next_short_point(way_) + shift_ : any();
+        return is_simple_ ? tween_.next_short_point(progress_) + shift_ : any();
     }
 
     Point hub() const
     {
         const Pair<Point> hub = tween_.hub();
-        return backbones_ == nullptr ? place_(lerp(hub.a, hub.b, way_.x, way_.y)) : between(hub);
+        return backbones_ == nullptr ? place_(lerp(hub.a, hub.b, progress_.x, progress_.y)) : between(hub);
     }
 
 private:
     [[gnu::noinline]] Point any()
     {
-        return backbones_ == nullptr ? place_(tween_.next_point(way_)) : between(tween_.next_points());
+        return backbones_ == nullptr ? place_(tween_.next_point(progress_)) : between(tween_.next_points());
     }
 
-    Point between(const Pair<Point>& both) const { return place_(backbones_->between(both.a, both.b, way_)); }
+    Point between(const Pair<Point>& both) const
+    {
+        return place_(backbones_->between(both.a, both.b, progress_));
+    }
 
     TweenReader& tween_;
-    Progress way_;
+    ProgressXY progress_;
     const PosedBackbones* backbones_;
     PointMap place_;
     bool is_simple_; ///< most are: short points, only shifted
@@ -75,19 +79,19 @@ void take_next(TweenReader& tween, KeptPoints& points, Segment& segment)
         segment.c1 = points.next();
         segment.c2 = points.next();
     }
-    did(segment.kind == Segment::Kind::cubic ? Work::curve : Work::line);
+    count_op(segment.kind == Segment::Kind::cubic ? Op::curve : Op::line);
     segment.to = points.next();
 }
 
 }
 
-void trace_kept(TweenReader tween, Progress way, const PosedBackbones* backbones, const Affine& placement,
-                ObjectOutline& outline)
+void trace_kept(TweenReader tween, ProgressXY progress, const PosedBackbones* backbones,
+                const Affine& placement, ObjectOutline& outline)
 {
-    KeptPoints points{tween, way, backbones, placement};
+    KeptPoints points{tween, progress, backbones, placement};
     Segment segment;
     for (std::uint32_t stroke = 0; stroke < tween.strokes(); ++stroke) {
-        did(Work::stroke);
+        count_op(Op::stroke);
         const std::uint32_t segments = tween.next_stroke();
         const Point first = points.next();
         outline.begin(first);

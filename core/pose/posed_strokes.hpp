@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/point_map.hpp"
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 #include "core/pose/equalize.hpp"
 #include "core/pose/posed_backbones.hpp"
 #include "core/pose/tween_cache.hpp"
@@ -16,11 +16,11 @@ namespace kfast {
 /// stroke, and end(hub, is_closed). A single point counts as one segment. `drawing` has not been read, and is
 /// read to its end.
 template <class Outline>
-void trace_strokes(CarriedDrawing& drawing, const Affine& placement, Outline& outline)
+void trace_strokes(DeformedDrawing& drawing, const Affine& placement, Outline& outline)
 {
     const PointMap place{placement};
     for (std::uint32_t left = drawing.strokes(); left > 0; --left) {
-        did(Work::stroke);
+        count_op(Op::stroke);
         const std::uint32_t segments = drawing.next_stroke();
         const Point start = drawing.start();
         const Point first = place(start);
@@ -31,7 +31,7 @@ void trace_strokes(CarriedDrawing& drawing, const Affine& placement, Outline& ou
             outline.add(placed);
         for (std::uint32_t i = 0; i < segments; ++i) {
             read = drawing.next_segment();
-            did(read.kind == Segment::Kind::line ? Work::line : Work::curve);
+            count_op(read.kind == Segment::Kind::line ? Op::line : Op::curve);
             placed = {.kind = read.kind, .from = placed.to, .to = place(read.to)};
             if (read.kind == Segment::Kind::cubic) {
                 placed.c1 = place(read.c1);
@@ -49,10 +49,11 @@ public:
     /// `make(is_second)` returns either drawing, unread, of so many strokes (EqualizedPair); at the very
     /// beginning of the way it is asked for the first alone. `backbones`, which may be null, carry the
     /// drawings; they and `placement` must outlive the strokes.
-    PosedStrokes(Pair<std::uint32_t> strokes, FunctionRef<CarriedDrawing(bool)> make, Progress way,
+    PosedStrokes(Pair<std::uint32_t> strokes, FunctionRef<DeformedDrawing(bool)> make, ProgressXY progress,
                  const PosedBackbones* backbones, const Affine& placement)
-        : pair_{strokes.a, way.is_at_beginning() ? strokes.a : strokes.b, way.is_at_beginning(), make},
-          way_{way}, backbones_{backbones}, place_{placement}
+        : pair_{strokes.a, progress.is_at_beginning() ? strokes.a : strokes.b, progress.is_at_beginning(),
+                make},
+          progress_{progress}, backbones_{backbones}, place_{placement}
     {
     }
 
@@ -69,7 +70,7 @@ private:
     template <class Outline>
     void trace_stroke(std::uint32_t segments, Outline& outline)
     {
-        did(Work::stroke);
+        count_op(Op::stroke);
         const Pair<Segment>& both = pair_.next_segment();
         const Pair<Point> first{both.a.from, both.b.from};
         Segment segment = live(both, live(first.a, first.b));
@@ -91,19 +92,19 @@ private:
     Segment live(const Pair<Segment>& both, Point from) const;
     Point live(Point a, Point b) const;
 
-    EqualizedPair<CarriedDrawing> pair_;
-    Progress way_;
+    EqualizedPair<DeformedDrawing> pair_;
+    ProgressXY progress_;
     const PosedBackbones* backbones_;
     PointMap place_;
 };
 
 // For pictures, compiled where live() can be laid into it.
 class ObjectOutline;
-extern template void trace_strokes(CarriedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
+extern template void trace_strokes(DeformedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
 extern template void PosedStrokes::trace(ObjectOutline& outline);
 
 /// As PosedStrokes, of two drawings without bones that are kept: the same strokes, sooner.
-void trace_kept(TweenReader tween, Progress way, const PosedBackbones* backbones, const Affine& placement,
-                ObjectOutline& outline);
+void trace_kept(TweenReader tween, ProgressXY progress, const PosedBackbones* backbones,
+                const Affine& placement, ObjectOutline& outline);
 
 }

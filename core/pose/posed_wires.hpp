@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
 #include "core/math/segment.hpp"
@@ -28,9 +28,9 @@ class PosedWires {
 public:
     /// At the very beginning of the way, `from` alone. `drawings` and `projection` must outlive the wires.
     PosedWires(std::span<const std::byte> drawings, const WireDrawing& from, const WireDrawing& to,
-               Progress way, const Projection& projection)
-        : flat_{pair_of(drawings, from.flat, to.flat, way)},
-          depths_{pair_of(drawings, from.depths, to.depths, way)}, way_{way}, see_{projection}
+               ProgressXY progress, const Projection& projection)
+        : flat_{pair_of(drawings, from.flat, to.flat, progress)},
+          depths_{pair_of(drawings, from.depths, to.depths, progress)}, progress_{progress}, see_{projection}
     {
     }
 
@@ -47,9 +47,9 @@ public:
 
 private:
     static EqualizedPair<PackedDrawing> pair_of(std::span<const std::byte> drawings, std::uint32_t from,
-                                                std::uint32_t to, Progress way)
+                                                std::uint32_t to, ProgressXY progress)
     {
-        const bool is_single = way.is_at_beginning();
+        const bool is_single = progress.is_at_beginning();
         return {drawing_at(drawings, from).strokes(), drawing_at(drawings, is_single ? from : to).strokes(),
                 is_single, [&](bool is_second) { return drawing_at(drawings, is_second ? to : from); }};
     }
@@ -57,7 +57,7 @@ private:
     template <class Outline>
     void trace_stroke(std::uint32_t segments, Outline& outline)
     {
-        did(Work::stroke);
+        count_op(Op::stroke);
         const Pair<Segment>& flat = flat_.next_segment();
         const Pair<Segment>& depths = depths_.next_segment();
         const Pair<Point> first{flat.a.from, flat.b.from};
@@ -69,7 +69,7 @@ private:
                 flat_.next_segment();
                 depths_.next_segment();
             }
-            did(Work::line, 2); // flat, and in depth
+            count_op(Op::line, 2); // flat, and in depth
             segment.from = segment.to;
             segment.to = seen({flat.a.to, flat.b.to}, {depths.a.to, depths.b.to});
             outline.add(segment);
@@ -87,7 +87,7 @@ private:
 
     EqualizedPair<PackedDrawing> flat_;
     EqualizedPair<PackedDrawing> depths_;
-    Progress way_;
+    ProgressXY progress_;
     const Projection& see_;
 };
 

@@ -14,7 +14,7 @@ constexpr std::int32_t one = 1 << fraction_bits;
 
 /// By what lengths may grow once more when corners are placed; above 1, so that what is only turned keeps its
 /// scale although its factors are rounded.
-constexpr std::int32_t max_growth = one * 17 / 16;
+constexpr std::int32_t max_scale_factor = one * 17 / 16;
 /// How far a map may be from a turn that grows, by part of its growth: pens become that much broader on a
 /// side.
 constexpr std::int32_t tolerance = one / 128;
@@ -60,7 +60,7 @@ std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
         std::min(std::abs(xx - yy) + std::abs(xy + yx), std::abs(xx + yy) + std::abs(xy - yx));
     const std::int64_t square = sum_of_squares(xx, yx);
     int bits = -max_scale_bits;
-    constexpr std::int64_t max = std::int64_t{max_growth} * max_growth;
+    constexpr std::int64_t max = std::int64_t{max_scale_factor} * max_scale_factor;
     std::int64_t limit = max >> 2 * max_scale_bits;
     for (; bits <= max_scale_bits && square > limit; limit <<= 2)
         ++bits;

@@ -66,7 +66,7 @@ void SceneState::pose_bones()
         scene().features().bones->pose(scene(), on_panel_.prepared, on_panel_.bones);
 }
 
-Moment SceneState::pose(Time time)
+SceneTime SceneState::pose(Time time)
 {
     move_to(time);
     pose_bones();

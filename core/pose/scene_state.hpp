@@ -54,7 +54,7 @@ protected:
     /// As at that moment.
     void pose_bones();
     /// Both. What is returned holds until an input is told.
-    Moment pose(Time time);
+    SceneTime pose(Time time);
 
 private:
     void note_told(std::uint32_t number);

@@ -1,6 +1,6 @@
 #include "core/pose/tween_cache.hpp"
 
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,7 +25,7 @@ public:
 
     /// Whether all of it found room, and place in short coordinates unless they are wide. `pair` has not been
     /// read.
-    [[gnu::cold]] bool write(EqualizedPair<CarriedDrawing>& pair)
+    [[gnu::cold]] bool write(EqualizedPair<DeformedDrawing>& pair)
     {
         add(1);
         std::uint32_t strokes = 0;
@@ -36,7 +36,7 @@ public:
         if (!fits_)
             return false;
         is_plain_ = is_plain_ && pair.is_plain();
-        cache_.coming()[0] = form_ | strokes | (is_plain_ ? TweenReader::plain_form : 0);
+        cache_.incoming()[0] = form_ | strokes | (is_plain_ ? TweenReader::plain_form : 0);
         return true;
     }
 
@@ -44,7 +44,7 @@ public:
     bool is_too_short() const { return !is_short_; }
 
 private:
-    [[gnu::cold]] void write_stroke(EqualizedPair<CarriedDrawing>& pair, std::uint32_t segments)
+    [[gnu::cold]] void write_stroke(EqualizedPair<DeformedDrawing>& pair, std::uint32_t segments)
     {
         const std::size_t head = written_;
         add(1);
@@ -63,8 +63,8 @@ private:
         const bool b_meets = first.b == both.b.to;
         is_plain_ = is_plain_ && (a_meets == (a_meets && b_meets));
         if (fits_)
-            cache_.coming()[head] = segments | (is_part ? TweenReader::part_flag : 0) |
-                                    (a_meets && b_meets && !is_part ? TweenReader::closed_flag : 0);
+            cache_.incoming()[head] = segments | (is_part ? TweenReader::part_flag : 0) |
+                                      (a_meets && b_meets && !is_part ? TweenReader::closed_flag : 0);
     }
 
     [[gnu::cold]] void write_segment(const Pair<Segment>& both, std::uint32_t number)
@@ -77,7 +77,7 @@ private:
         }
         if (both.a.kind == Segment::Kind::cubic) {
             if (fits_)
-                cache_.coming()[kinds_] |= 1U << bit;
+                cache_.incoming()[kinds_] |= 1U << bit;
             write({both.a.c1, both.b.c1});
             write({both.a.c2, both.b.c2});
         }
@@ -152,21 +152,21 @@ Point TweenReader::point_at(const std::uint32_t* at) const
     return {Fixed::from_raw(low(*at) * unit), Fixed::from_raw(high(*at) * unit)};
 }
 
-Point TweenReader::wide_point(Progress way)
+Point TweenReader::wide_point(ProgressXY progress)
 {
     const Pair<Point> both = next_points();
-    return lerp(both.a, both.b, way.x, way.y);
+    return lerp(both.a, both.b, progress.x, progress.y);
 }
 
 namespace {
 
 /// Apart, so that the stack has what it is made of only as long as it is made.
-[[gnu::cold, gnu::noinline]] EqualizedPair<CarriedDrawing> equalized(const PictureCache::Name& name,
-                                                                     std::span<const std::byte> drawings)
+[[gnu::cold, gnu::noinline]] EqualizedPair<DeformedDrawing> equalized(const PictureCache::Name& name,
+                                                                      std::span<const std::byte> drawings)
 {
     return {drawing_at(drawings, name[0]).strokes(), drawing_at(drawings, name[1]).strokes(),
             name[0] == name[1],
-            [&](bool is_second) { return CarriedDrawing{drawing_at(drawings, name[is_second ? 1 : 0])}; }};
+            [&](bool is_second) { return DeformedDrawing{drawing_at(drawings, name[is_second ? 1 : 0])}; }};
 }
 
 /// Null if they find no room.
@@ -176,7 +176,7 @@ namespace {
     for (const bool is_wide : {false, true}) {
         TweenWriter writer{cache, name[0] == name[1], is_wide};
         EqualizedPair pair = equalized(name, drawings);
-        cache.begin(name, PictureCache::Coming::replaces_next); // of the way before
+        cache.begin(name, PictureCache::Incoming::replaces_next); // of the way before
         const bool fits = writer.write(pair);
         const std::uint32_t* const words = cache.end(fits);
         if (words != nullptr || !writer.is_too_short())

@@ -53,15 +53,18 @@ public:
     }
 
     /// On the way between both drawings.
-    Point next_point(Progress way) { return is_short() ? next_short_point(way) : wide_point(way); }
+    Point next_point(ProgressXY progress)
+    {
+        return is_short() ? next_short_point(progress) : wide_point(progress);
+    }
     /// Whether points are short: within 512 px, and within 1024 px on their ways.
     bool is_short() const { return (form_ & wide_form) == 0; }
     /// Only of short points.
-    Point next_short_point(Progress way)
+    Point next_short_point(ProgressXY progress)
     {
         const std::uint32_t from = *at_++;
         const std::uint32_t to = (form_ & single_form) != 0 ? from : *at_++;
-        return {short_lerp(low(from), low(to), way.x), short_lerp(high(from), high(to), way.y)};
+        return {short_lerp(low(from), low(to), progress.x), short_lerp(high(from), high(to), progress.y)};
     }
     /// In both drawings.
     Pair<Point> next_points()
@@ -92,17 +95,17 @@ private:
     static std::int32_t high(std::uint32_t word) { return static_cast<std::int32_t>(word) >> 16; }
 
     /// As lerp() of Fixed.
-    static Fixed short_lerp(std::int32_t from, std::int32_t to, Way way)
+    static Fixed short_lerp(std::int32_t from, std::int32_t to, Progress progress)
     {
         constexpr std::int32_t half = 1 << (short_bits - 1);
         return Fixed::from_raw(from * (Fixed::one >> short_bits) +
-                               (((to - from) * way.raw + half) >> short_bits));
+                               (((to - from) * progress.raw + half) >> short_bits));
     }
 
     std::uint32_t words_of_one() const { return (form_ & wide_form) != 0 ? 2 : 1; }
     std::uint32_t words_of_point() const { return words_of_one() << ((form_ & single_form) != 0 ? 0 : 1); }
     Point point_at(const std::uint32_t* at) const;
-    [[gnu::cold, gnu::noinline]] Point wide_point(Progress way);
+    [[gnu::cold, gnu::noinline]] Point wide_point(ProgressXY progress);
 
     std::uint32_t form_;
     const std::uint32_t* at_;

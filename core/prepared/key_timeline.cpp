@@ -1,19 +1,19 @@
 #include "core/prepared/key_timeline.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 namespace kfast {
 
 void KeyTimeline::move_to(Time time, const SceneView& scene)
 {
-    did(Work::timeline);
+    count_op(Op::timeline);
     has_other_keys_ = time < begin_ || time >= end_;
     if (time < begin_)
         rewind(scene);
     if (time >= end_)
         go_on(time, scene);
-    const Progress before = progress_;
-    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws_at(laws_)) : Progress{};
+    const ProgressXY before = progress_;
+    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws_at(laws_)) : ProgressXY{};
     const bool has_come_further = progress_ != before || (moves_with_time_ && is_between_ && time != now_);
     has_moved_ = has_other_keys_ || has_come_further;
     now_ = time;

@@ -40,8 +40,8 @@ public:
     /// The numbers of both keys: the same one twice where it is not between two.
     std::uint32_t from() const { return from_; }
     std::uint32_t to() const { return from_ + (is_between_ ? 1 : 0); }
-    const Progress& progress() const { return progress_; }
-    Way way(LawAxis axis) const { return axis == LawAxis::y ? progress_.y : progress_.x; }
+    const ProgressXY& progress() const { return progress_; }
+    Progress progress(LawAxis axis) const { return axis == LawAxis::y ? progress_.y : progress_.x; }
     /// The times of both keys, of the one before and of the one behind; only between two keys, and the same
     /// one again where there is none.
     Time from_time() const { return begin_; }
@@ -68,7 +68,7 @@ private:
     Time end_ = always;
     Time before_;
     Time now_;
-    Progress progress_;
+    ProgressXY progress_;
     std::uint32_t from_ = 0;
     std::uint16_t laws_ = 0;     ///< for the way between the two keys: SceneView::place_of_laws()
     std::uint8_t next_laws_ = 0; ///< number of the pair for the way that follows

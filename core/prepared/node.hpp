@@ -41,7 +41,7 @@ struct Node {
     std::uint8_t track_count = 0; ///< of properties
     ItemKind kind = ItemKind::group;
     InputLeaf live = InputLeaf::drawing; ///< only of what is live
-    Carrier carrier = Carrier::none;     ///< this and the rest only of an object
+    Deformer deformer = Deformer::none;  ///< this and the rest only of an object
     std::uint8_t unit_bits = 0;          ///< BackbonesView::unit_bits
     std::uint8_t bone_count = 0;         ///< of its skeleton
     bool has_arrivals : 1 = false;
@@ -56,7 +56,7 @@ struct Node {
 
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
     /// Its keys have KeyValue::more, see Key::more.
-    bool has_more() const { return has_depths || carrier == Carrier::bones; }
+    bool has_more() const { return has_depths || deformer == Deformer::bones; }
 };
 
 /// A bone that a scene stores, ready to be posed.

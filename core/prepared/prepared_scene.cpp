@@ -1,7 +1,7 @@
 #include "core/prepared/prepared_scene.hpp"
 
 #include "core/bytes/bump_allocator.hpp"
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/feature_code.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/time/hermite.hpp"
@@ -50,7 +50,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory
     root_ = static_cast<std::uint16_t>(preparer.root());
 }
 
-void PreparedScene::move_to(const SceneView& scene, const Moment& moment, std::uint32_t told)
+void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t told)
 {
     moved_ = {};
     std::uint32_t number = 0;
@@ -58,7 +58,7 @@ void PreparedScene::move_to(const SceneView& scene, const Moment& moment, std::u
         timeline.move_to(moment.at(timeline.driver()), scene);
         const std::uint32_t bit = Dependence::bit(number++);
         moved_.keys |= timeline.has_other_keys() ? bit : 0;
-        moved_.ways |= timeline.has_moved() ? bit : 0;
+        moved_.tweens |= timeline.has_moved() ? bit : 0;
     }
     if (moved_.keys != 0)
         take_keys(scene);
@@ -73,7 +73,7 @@ void PreparedScene::take_keys(const SceneView& scene)
     for (TrackState& track : tracks_) {
         if (!track.has_timeline() || !timelines_[track.timeline].has_other_keys())
             continue;
-        did(Work::key);
+        count_op(Op::key);
         const KeyTimeline& timeline = timelines_[track.timeline];
         const PackedValues values = values_of(scene, track, timeline.key_times(scene).count());
         track.from = values[timeline.from()];
@@ -129,16 +129,16 @@ Dependence PreparedScene::dependence(const TrackState& track) const
     const std::uint32_t bit = Dependence::bit(track.timeline);
     const bool is_on_the_way =
         timelines_[track.timeline].is_between() && (track.is_smooth || track.from != track.to);
-    return {.keys = bit, .ways = is_on_the_way ? bit : 0};
+    return {.keys = bit, .tweens = is_on_the_way ? bit : 0};
 }
 
 Dependence PreparedScene::dependence_of_strokes(const Node& node) const
 {
     Dependence all = dependence(key_track(node, KeyValue::drawing));
-    all.ways = has_one_drawing(node) ? 0 : all.keys;
-    if (node.carrier == Carrier::backbones)
+    all.tweens = has_one_drawing(node) ? 0 : all.keys;
+    if (node.deformer == Deformer::backbones)
         return all | dependence(key_track(node, KeyValue::backbones));
-    if (node.carrier == Carrier::bones)
+    if (node.deformer == Deformer::bones)
         return all | dependence_of_bones(node);
     return all;
 }

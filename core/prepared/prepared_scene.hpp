@@ -34,7 +34,7 @@ public:
     PreparedScene(const SceneView& scene, std::span<std::byte> memory);
 
     /// `told` has a bit for each input that is no number and was told something new.
-    void move_to(const SceneView& scene, const Moment& moment, std::uint32_t told);
+    void move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t told);
     /// What has moved since the moment before.
     const Dependence& moved() const { return moved_; }
 
@@ -64,11 +64,12 @@ public:
     /// The two values between which a track is, and the way from one to the other; not of a smooth one.
     KeySpan key_span(const TrackState& track, LawAxis axis) const
     {
-        return {track.from, track.to, track.has_timeline() ? timelines_[track.timeline].way(axis) : Way{}};
+        return {track.from, track.to,
+                track.has_timeline() ? timelines_[track.timeline].progress(axis) : Progress{}};
     }
-    Progress progress(const TrackState& track) const
+    ProgressXY progress(const TrackState& track) const
     {
-        return track.has_timeline() ? timelines_[track.timeline].progress() : Progress{};
+        return track.has_timeline() ? timelines_[track.timeline].progress() : ProgressXY{};
     }
     /// It stays as it is up to the next key. `scene` has its laws.
     bool is_held(const SceneView& scene, const TrackState& track) const

@@ -110,7 +110,7 @@ Node Preparer::node_of(const ItemView& item) const
               .first_track = static_cast<std::uint16_t>(records_.tracks),
               .kind = item.kind,
               .live = item.live.kind,
-              .carrier = item.object.carrier,
+              .deformer = item.object.deformer,
               .unit_bits = static_cast<std::uint8_t>(item.object.backbones.unit_bits),
               .has_arrivals = item.object.has_arrivals,
               .has_depths = item.object.has_depths,
@@ -121,7 +121,7 @@ Node Preparer::node_of(const ItemView& item) const
         node.of = symbol_node(item.symbol);
     if (item.kind == ItemKind::live)
         node.of = static_cast<std::uint16_t>(item.live.input);
-    if (item.object.carrier == Carrier::bones) {
+    if (item.object.deformer == Deformer::bones) {
         node.of = static_cast<std::uint16_t>(scene_.first_bone(item.object.skeleton));
         node.bone_count = static_cast<std::uint8_t>(scene_.first_bone(item.object.skeleton + 1) - node.of);
     }
@@ -164,7 +164,7 @@ void Preparer::add_keys(const ObjectView& object)
         add(KeyValue::arrival, keys.key_times(), keys.arrivals());
     if (object.has_more())
         add(KeyValue::more, keys.key_times(), keys.more());
-    if (object.carrier != Carrier::backbones)
+    if (object.deformer != Deformer::backbones)
         return;
     const BackboneKeyCursor backbones = object.backbones.keys();
     add(KeyValue::backbones, backbones.key_times(), backbones.drawings());

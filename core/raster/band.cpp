@@ -1,6 +1,6 @@
 #include "core/raster/band.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ int Band::row_count() const { return std::min(1 << store_->band_bits(), panel_.h
 
 void Band::advance(int number)
 {
-    did(Work::band);
+    count_op(Op::band);
     const int passed_bands = number - number_;
     const std::int32_t height = grid << store_->band_bits();
     top_ = number * height;
@@ -36,7 +36,7 @@ void Band::advance(int number)
         take(begun, bands);
     }
     number_ = number;
-    work_for(0);
+    count_ops_for(0);
 }
 
 /// Of a list of chains that are in the state of so many bands above, those that reach the band.
@@ -148,8 +148,8 @@ void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) co
 void Band::insert(std::uint32_t place)
 {
     Chain& added = chain(place);
-    work_for(steps_[added.layer].item);
-    did(added.is_straight ? Work::straight_chain : Work::band_chain);
+    count_ops_for(steps_[added.layer].item);
+    count_op(added.is_straight ? Op::straight_chain : Op::band_chain);
     if (added.is_straight) {
         StraightLine& line = store_->line(added);
         find_crossings(added, line, floor_pixel(top_), floor_pixel(bottom_ - top_), line.in_band.data());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/cells.hpp"
 #include "core/raster/dirty.hpp"
@@ -35,7 +35,7 @@ public:
     /// What of a region lies in the columns of the tile.
     void paint(const Region& region, const Tile<Cells>& tile)
     {
-        did(Work::region);
+        count_op(Op::region);
         if (!region.has_slots)
             return paint_steps(region, tile);
         const SlotMask crossing = layers_in(region);
@@ -52,7 +52,7 @@ private:
     {
         SlotMask layers = 0;
         for (std::uint32_t place = region.first; place != region.behind; place = band_.chain(place).next) {
-            did(Work::chain_visit);
+            count_op(Op::chain_visit);
             layers |= bit_of(band_.chain(place).slot);
         }
         return layers;
@@ -89,7 +89,7 @@ private:
         const bool is_inside = (region.inside & crossing) != 0;
         const Cell left = Cells::cell(is_inside ? ink : below);
         const Cell right = Cells::cell(is_inside ? below : ink);
-        work_for(slots_.layer(chain.slot).coming->item);
+        count_ops_for(slots_.layer(chain.slot).next->item);
         const std::int32_t start = (tile.left - chain.left) * grid;
         const Crossing* x = band_.crossings(chain, tile.first_row);
         Cell* at = tile.cells;
@@ -97,12 +97,12 @@ private:
         for (int row = 0; row != tile.rows; ++row, ++x, at += tile.stride) {
             if (row != 0 && x[0] == x[1] && x[0] == x[-1]) { // as the row above
                 repeat(at - tile.stride, tile.columns, at);
-                did(Work::filled_pixel, static_cast<std::uint32_t>(tile.columns));
+                count_op(Op::filled_pixel, static_cast<std::uint32_t>(tile.columns));
                 continue;
             }
-            did(Work::edge_row);
+            count_op(Op::edge_row);
             cover(edge_between(x[0] - start, x[1] - start), tile.columns, run);
-            did(Work::filled_pixel, static_cast<std::uint32_t>(tile.columns - (run.end - run.begin)));
+            count_op(Op::filled_pixel, static_cast<std::uint32_t>(tile.columns - (run.end - run.begin)));
             Cell* cell = at;
             for (const Cell* const end = at + run.begin; cell != end; ++cell)
                 *cell = left;
@@ -141,7 +141,7 @@ private:
                 continue;
             rest &= ~bit;
             const Slots::Layer& layer = slots_.layer(slot);
-            paint_layer(region, *layer.coming, {layer.ink, layer.share}, tile);
+            paint_layer(region, *layer.next, {layer.ink, layer.share}, tile);
         }
     }
 
@@ -159,11 +159,11 @@ private:
 
     void paint_layer(const Region& region, const PaintStep& step, const Coat& coat, const Tile<Cells>& tile)
     {
-        work_for(step.item);
-        did(Work::layer);
+        count_ops_for(step.item);
+        count_op(Op::layer);
         const auto number = static_cast<std::uint16_t>(&step - steps_.data());
         const bool has_edges = row_.begin(band_, region, number, step.rule, tile.left, tile.columns);
-        did(Work::layer_row, static_cast<std::uint32_t>(tile.rows));
+        count_op(Op::layer_row, static_cast<std::uint32_t>(tile.rows));
         const bool is_inside = has_edges && row_.is_inside_at_left();
         Cell* at = tile.cells;
         for (int row = 0; row != tile.rows; ++row, at += tile.stride) {
@@ -173,7 +173,7 @@ private:
                 lay_between_edges(at, tile.columns, coat, is_inside);
             else
                 row_.sum_up(tile.first_row + row, [at, &coat](int begin, int end, std::int32_t coverage) {
-                    did(Work::span);
+                    count_op(Op::span);
                     if (coverage != 0)
                         lay(at + begin, at + end, coat.ink, coat.share_of(coverage));
                 });
@@ -198,7 +198,7 @@ private:
 
     [[gnu::noinline]] static void lay_edge(Cell* at, const CoverageRun& run, const Coat coat, bool is_inside)
     {
-        did(Work::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
+        count_op(Op::blended_pixel, static_cast<std::uint32_t>(run.end - run.begin));
         const std::uint16_t* coverage = run.pixels.data();
         const Cell* const end = at + run.end;
         for (Cell* cell = at + run.begin; cell != end; ++cell)
@@ -212,7 +212,7 @@ private:
             return fill(cell, static_cast<int>(end - cell), Cells::cell(ink));
         if (share == 0)
             return;
-        did(Work::blended_pixel, static_cast<std::uint32_t>(end - cell));
+        count_op(Op::blended_pixel, static_cast<std::uint32_t>(end - cell));
         for (; cell != end; ++cell)
             *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
     }
@@ -252,7 +252,7 @@ private:
 
     static void fade(const Tile<Cells>& tile, const Cell* before, std::uint32_t share)
     {
-        did(Work::faded_pixel, static_cast<std::uint32_t>(tile.rows * tile.columns));
+        count_op(Op::faded_pixel, static_cast<std::uint32_t>(tile.rows * tile.columns));
         for (int row = 0; row != tile.rows; ++row)
             for (Cell *cell = tile.cells + row * tile.stride, *const end = cell + tile.columns; cell != end;
                  ++cell, ++before)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/pixel/colour.hpp"
 #include "core/raster/coverage.hpp"
 
@@ -117,8 +117,8 @@ struct Tile {
 
 inline void note_fill(int count)
 {
-    did(Work::fill);
-    did(Work::filled_pixel, static_cast<std::uint32_t>(count));
+    count_op(Op::fill);
+    count_op(Op::filled_pixel, static_cast<std::uint32_t>(count));
 }
 
 template <class Cell>

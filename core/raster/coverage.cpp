@@ -1,6 +1,6 @@
 #include "core/raster/coverage.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ private:
     const int behind = ceil_pixel(edge.high);
     run.begin = std::clamp(first, 0, columns);
     run.end = std::clamp(behind, 0, columns);
-    did(Work::flat_pixel, static_cast<std::uint32_t>(run.end - run.begin));
+    count_op(Op::flat_pixel, static_cast<std::uint32_t>(run.end - run.begin));
     const Ramp ramp{static_cast<std::uint32_t>(edge.high - edge.low)};
     std::uint16_t* out = run.pixels.data();
     const auto put = [&out](std::int32_t coverage) { *out++ = static_cast<std::uint16_t>(coverage); };
@@ -76,7 +76,7 @@ void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
     const auto width = static_cast<std::uint32_t>(edge.high - edge.low);
     if (first < 0 || behind > columns || width >= reciprocals.size())
         return cover_wide(edge, columns, run);
-    did(Work::flat_pixel, static_cast<std::uint32_t>(behind - first));
+    count_op(Op::flat_pixel, static_cast<std::uint32_t>(behind - first));
     run.begin = first;
     run.end = behind;
     const std::uint32_t inverse = reciprocals[width];
@@ -99,7 +99,7 @@ void CoverageSums::put(int column, std::int32_t area, int columns)
 
 void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
 {
-    did(Work::sum_part);
+    count_op(Op::sum_part);
     constexpr std::int32_t unit = full / full_coverage;
     CoverageRun run;
     cover(edge, columns, run);
@@ -129,7 +129,7 @@ void CoverageSums::take(bool runs_down, bool is_inside_left, CoverageRun& run)
 
 void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns)
 {
-    did(Work::sum_part);
+    count_op(Op::sum_part);
     const int column = floor_pixel(a);
     if (column == floor_pixel(b))
         put_part(column, height, (a & (grid - 1)) + (b & (grid - 1)), columns);

@@ -1,6 +1,6 @@
 #include "core/raster/dirty.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 
@@ -76,7 +76,7 @@ private:
                     inside_ ^= bit;
                 take_chain(chain.next);
             } else {
-                did(Work::border);
+                count_op(Op::border);
                 const SlotMask bit = bit_of(steps_[border_->layer].slot);
                 end = std::max<int>(end, border_->end);
                 touched |= bit;

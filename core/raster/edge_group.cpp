@@ -1,6 +1,6 @@
 #include "core/raster/edge_group.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -277,7 +277,7 @@ std::int32_t add_group(std::span<RowChain> chains, FillRule rule, std::int32_t w
             add_chain(chain, columns, sums);
         return right;
     }
-    did(Work::edge_group);
+    count_op(Op::edge_group);
     begin_inside(first, rule, winding, columns, sums);
     switch (kind) {
     case GroupKind::in_order:

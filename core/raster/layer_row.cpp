@@ -1,6 +1,6 @@
 #include "core/raster/layer_row.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -60,7 +60,7 @@ bool LayerRow::find_chains(const Region& region)
     for (std::uint32_t place = region.first; place != region.behind;) {
         const Chain& chain = band_->chain(place);
         const std::uint32_t here = std::exchange(place, chain.next);
-        did(Work::chain_visit);
+        count_op(Op::chain_visit);
         if (chain.layer != layer_)
             continue;
         if (!has_any)
@@ -113,7 +113,7 @@ void LayerRow::find_borders()
 bool LayerRow::find_edges(int row)
 {
     if (are_apart_) {
-        did(Work::layer_edge, static_cast<std::uint32_t>(edge_count_));
+        count_op(Op::layer_edge, static_cast<std::uint32_t>(edge_count_));
         row_ = row;
         return true;
     }
@@ -126,7 +126,7 @@ bool LayerRow::find_edges(int row)
     RowChain* bent = group_.data();
     for (std::size_t i = 0; i != chain_count_; ++i) {
         const Chain& chain = *chains_[i].chain;
-        did(Work::layer_edge);
+        count_op(Op::layer_edge);
         const Way way = chain.is_whole ? Way::straight : way_through(*band_, chain, row);
         if (way == Way::none)
             continue;
@@ -159,7 +159,7 @@ void LayerRow::cover_edge(std::size_t number, bool is_inside_left, CoverageRun& 
     const RowChain* const bent = bent_[number];
     if (bent == nullptr)
         return cover(edges_[number], columns_, run);
-    did(Work::bent_edge);
+    count_op(Op::bent_edge);
     add_chain(*bent, columns_, sums_);
     run.begin = bent->first;
     run.end = bent->last + 1;
@@ -168,8 +168,8 @@ void LayerRow::cover_edge(std::size_t number, bool is_inside_left, CoverageRun& 
 
 void LayerRow::add_row(int row)
 {
-    did(Work::sum_row);
-    did(Work::sum_pixel, static_cast<std::uint32_t>(columns_));
+    count_op(Op::sum_row);
+    count_op(Op::sum_pixel, static_cast<std::uint32_t>(columns_));
     if (has_few_)
         add_few(row);
     else
@@ -225,7 +225,7 @@ bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) cons
 
 void LayerRow::set_row_chain(const Chain& chain, int row, bool is_straight, RowChain& found) const
 {
-    did(Work::row_chain);
+    count_op(Op::row_chain);
     const std::int32_t origin = chain.top & -grid;
     const std::int32_t top = (band_->top_row() + row) * grid;
     const std::int32_t left = (left_ - chain.left) * grid;

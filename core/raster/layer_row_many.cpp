@@ -2,7 +2,7 @@
 
 #include "core/raster/layer_row.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ void LayerRow::add_many(int row)
     int end = 0; // of its columns
     for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
         const Chain& chain = band_->chain(place);
-        did(Work::chain_visit);
+        count_op(Op::chain_visit);
         if (chain.layer != layer_)
             continue;
         if (chain.begin > end) {
@@ -74,7 +74,7 @@ void LayerRow::each_chain(const Cluster& cluster, int row,
     const int right = band_->panel_width() - left_;
     for (std::uint32_t place = cluster.first; place != cluster.behind; place = band_->chain(place).next) {
         const Chain& chain = band_->chain(place);
-        did(Work::chain_visit);
+        count_op(Op::chain_visit);
         RowChain found;
         if (chain.layer == layer_ && find_row_chain(chain, row, found) && found.first < right &&
             found.last >= begin_ && !visit(found, chain.begin == 0 ? begin_ : chain.begin - left_))

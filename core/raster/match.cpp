@@ -28,15 +28,15 @@ std::size_t distance_to(const PaintStep& step, std::span<const PaintStep> steps)
 
 }
 
-void match(std::span<PaintStep> shown, std::span<PaintStep> coming)
+void match(std::span<PaintStep> shown, std::span<PaintStep> next)
 {
     forget_partners(shown);
-    forget_partners(coming);
+    forget_partners(next);
     std::size_t before = 0;
     std::size_t after = 0;
-    while (before < shown.size() && after < coming.size()) {
-        const std::size_t vanished = distance_to(coming[after], shown.subspan(before));
-        const std::size_t appeared = distance_to(shown[before], coming.subspan(after));
+    while (before < shown.size() && after < next.size()) {
+        const std::size_t vanished = distance_to(next[after], shown.subspan(before));
+        const std::size_t appeared = distance_to(shown[before], next.subspan(after));
         const bool is_found = std::min(vanished, appeared) < look_ahead;
         if (is_found && vanished <= appeared)
             before += vanished;
@@ -44,7 +44,7 @@ void match(std::span<PaintStep> shown, std::span<PaintStep> coming)
             after += appeared;
         if (is_found) {
             shown[before].partner = static_cast<std::uint16_t>(after);
-            coming[after].partner = static_cast<std::uint16_t>(before);
+            next[after].partner = static_cast<std::uint16_t>(before);
         }
         ++before;
         ++after;

@@ -1,6 +1,6 @@
 #include "core/raster/record.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/pixel/pixel_coding.hpp"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ void Record::make_room()
 void Record::pass_band(int band, std::span<const PaintStep> shown)
 {
     std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
-    did(Work::passed_band);
-    did(Work::passed_border, count);
+    count_op(Op::passed_band);
+    count_op(Op::passed_border, count);
     if (read_ != written_)
         copy_borders(read_, count, written_);
     Border* const begin = written_;
@@ -79,7 +79,7 @@ std::span<const Record::Border> Record::begin_band(int band)
     read_ += count;
     band_ = band;
     band_end_ = written_;
-    has_room_ = true;
+    has_capacity_ = true;
     return shown;
 }
 
@@ -87,8 +87,8 @@ void Record::add(const Chain& chain)
 {
     if (band_end_ == read_ && !is_apart_)
         make_room();
-    has_room_ = has_room_ && band_end_ != read_ && chain.layer <= max_layer;
-    if (!has_room_)
+    has_capacity_ = has_capacity_ && band_end_ != read_ && chain.layer <= max_layer;
+    if (!has_capacity_)
         return;
     band_end_->begin = chain.begin;
     band_end_->end = chain.end;
@@ -103,9 +103,9 @@ void Record::drop_band() { counts_[static_cast<std::size_t>(band_)] = unknown; }
 void Record::end_band()
 {
     const auto count = band_end_ - written_;
-    has_room_ = has_room_ && count < unknown;
-    counts_[static_cast<std::size_t>(band_)] = has_room_ ? static_cast<std::uint8_t>(count) : unknown;
-    if (has_room_)
+    has_capacity_ = has_capacity_ && count < unknown;
+    counts_[static_cast<std::size_t>(band_)] = has_capacity_ ? static_cast<std::uint8_t>(count) : unknown;
+    if (has_capacity_)
         written_ = band_end_;
 }
 

@@ -65,8 +65,8 @@ private:
     Border* written_ = nullptr;  ///< of all bands that are finished
     Border* band_end_ = nullptr; ///< of the band
     int band_ = 0;
-    bool has_room_ = true;  ///< for the band
-    bool is_apart_ = false; ///< what is to be read, from what is written
+    bool has_capacity_ = true; ///< for the band
+    bool is_apart_ = false;    ///< what is to be read, from what is written
 };
 
 static_assert(sizeof(Record::Border) == 6);

@@ -1,6 +1,6 @@
 #include "core/raster/renderer.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/band_painter.hpp"
 #include "core/raster/packing.hpp"
 
@@ -83,7 +83,7 @@ void Renderer::begin_pass(int band_bits)
     is_fresh_ = false;
     next_row_ = 0;
     band_.begin(picture_.outlines, picture_.steps(), panel_);
-    did(Work::step, static_cast<std::uint32_t>(picture_.step_count + shown_count_));
+    count_op(Op::step, static_cast<std::uint32_t>(picture_.step_count + shown_count_));
 }
 
 void Renderer::begin_changes(int band_bits)
@@ -292,7 +292,7 @@ void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels, LayerRow
                            first + static_cast<std::size_t>(y) * stride, tile.left, area.y + y);
         }
     }
-    work_for(0);
+    count_ops_for(0);
     if constexpr (Pack::is_direct)
         Pack::finish(reinterpret_cast<Cell*>(pixels.data()),
                      static_cast<std::size_t>(area.width * area.height));

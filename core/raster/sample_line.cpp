@@ -1,6 +1,6 @@
 #include "core/raster/sample_line.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 namespace kfast::raster {
 
@@ -18,7 +18,7 @@ void SampleLine::add(const RowChain& chain)
 {
     if (y_ < chain.from || y_ >= chain.to)
         return;
-    did(Work::line_crossing);
+    count_op(Op::line_crossing);
     const Crossing added{2 * chain.x_at(y_) + (chain.runs_down ? 0 : 1), added_++};
     if (!is_first_ && (added.x2 < before_.x2 || (added.x2 == before_.x2 && added.number <= before_.number)))
         return;

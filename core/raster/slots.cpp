@@ -33,19 +33,19 @@ bool is_same_group(const PaintStep& step, std::span<const PaintStep> others)
 
 }
 
-void Slots::set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown)
+void Slots::set_pictures(std::span<PaintStep> next, std::span<PaintStep> shown)
 {
-    coming_ = coming;
+    next_ = next;
     shown_ = shown;
-    match(shown, coming);
-    std::size_t layers = find_groups(coming) + find_groups(shown);
-    for (const PaintStep& step : coming)
+    match(shown, next);
+    std::size_t layers = find_groups(next) + find_groups(shown);
+    for (const PaintStep& step : next)
         layers -= step.kind == PaintStep::Kind::layer && step.partner != PaintStep::no_partner ? 1U : 0U;
     has_same_groups_ = true;
-    for (const PaintStep& step : coming)
+    for (const PaintStep& step : next)
         has_same_groups_ = has_same_groups_ && is_same_group(step, shown);
     for (const PaintStep& step : shown)
-        has_same_groups_ = has_same_groups_ && is_same_group(step, coming);
+        has_same_groups_ = has_same_groups_ && is_same_group(step, next);
     hold_all_ = layers <= slot_count;
     if (hold_all_)
         assign();
@@ -57,7 +57,7 @@ bool Slots::assign()
     free_ = slot_count;
     std::size_t before = 0;
     bool have_room = true;
-    for (PaintStep& step : coming_) {
+    for (PaintStep& step : next_) {
         const bool has_partner = step.partner != PaintStep::no_partner;
         while (has_partner && before < step.partner)
             have_room = put(nullptr, &shown_[before++]) && have_room;
@@ -69,9 +69,9 @@ bool Slots::assign()
 }
 
 /// Gives a slot to a layer, if it is marked, of either picture or of both.
-bool Slots::put(PaintStep* coming, PaintStep* shown)
+bool Slots::put(PaintStep* next, PaintStep* shown)
 {
-    const bool is_marked = (coming != nullptr && coming->slot != PaintStep::no_slot) ||
+    const bool is_marked = (next != nullptr && next->slot != PaintStep::no_slot) ||
                            (shown != nullptr && shown->slot != PaintStep::no_slot);
     if (!is_marked)
         return true;
@@ -79,55 +79,55 @@ bool Slots::put(PaintStep* coming, PaintStep* shown)
         return false;
     const auto slot = static_cast<std::uint8_t>(--free_);
     const SlotMask bit = bit_of(slot);
-    layers_[slot] = {coming, shown};
-    if (coming != nullptr) {
-        coming->slot = slot;
-        clear |= is_clear(*coming) ? bit : 0;
-        grouped |= coming->is_in_group ? bit : 0;
-        even_odd |= coming->rule == FillRule::even_odd ? bit : 0;
+    layers_[slot] = {next, shown};
+    if (next != nullptr) {
+        next->slot = slot;
+        clear |= is_clear(*next) ? bit : 0;
+        grouped |= next->is_in_group ? bit : 0;
+        even_odd |= next->rule == FillRule::even_odd ? bit : 0;
     }
     if (shown != nullptr) {
         shown->slot = slot;
         shown_clear |= is_clear(*shown) ? bit : 0;
     }
-    if (coming == nullptr || shown == nullptr) {
+    if (next == nullptr || shown == nullptr) {
         recoloured |= bit;
         return true;
     }
-    same |= has_same_outlines(*coming, *shown) ? bit : 0;
-    recoloured |= is_same_colour(*coming, *shown) ? 0 : bit;
+    same |= has_same_outlines(*next, *shown) ? bit : 0;
+    recoloured |= is_same_colour(*next, *shown) ? 0 : bit;
     return true;
 }
 
 /// With the opacity of what is around it.
-bool Slots::is_same_colour(const PaintStep& coming, const PaintStep& shown) const
+bool Slots::is_same_colour(const PaintStep& next, const PaintStep& shown) const
 {
-    return coming.colour == shown.colour && coming.is_in_group == shown.is_in_group &&
-           (has_same_groups_ || !coming.is_in_group);
+    return next.colour == shown.colour && next.is_in_group == shown.is_in_group &&
+           (has_same_groups_ || !next.is_in_group);
 }
 
 void Slots::clear_marks()
 {
-    for (const std::span<PaintStep> steps : {coming_, shown_})
+    for (const std::span<PaintStep> steps : {next_, shown_})
         for (PaintStep& step : steps)
             step.slot = PaintStep::no_slot;
 }
 
-bool Slots::looks_same(SlotMask coming, SlotMask shown) const
+bool Slots::looks_same(SlotMask next, SlotMask shown) const
 {
-    if (coming == shown && (coming & recoloured) == 0)
+    if (next == shown && (next & recoloured) == 0)
         return true;
-    const SlotMask top = top_bit(coming);
+    const SlotMask top = top_bit(next);
     const SlotMask shown_top = top_bit(shown);
     if ((top & clear) != 0 || (shown_top & shown_clear) != 0)
         return false;
-    return (top == 0 ? background : layers_[number_of(top)].coming->colour) ==
+    return (top == 0 ? background : layers_[number_of(top)].next->colour) ==
            (shown_top == 0 ? background : layers_[number_of(shown_top)].shown->colour);
 }
 
-bool Slots::is_hidden(SlotMask coming, SlotMask shown, SlotMask touched) const
+bool Slots::is_hidden(SlotMask next, SlotMask shown, SlotMask touched) const
 {
-    const SlotMask top = top_bit(coming);
+    const SlotMask top = top_bit(next);
     return top != 0 && top == top_bit(shown) && (touched & (2 * top - 1)) == 0 &&
            (top & (clear | shown_clear | recoloured)) == 0;
 }

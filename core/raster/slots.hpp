@@ -43,7 +43,7 @@ class Slots {
 public:
     /// What is in one slot.
     struct Layer {
-        const PaintStep* coming = nullptr;
+        const PaintStep* next = nullptr;
         const PaintStep* shown = nullptr;
         std::uint32_t ink = 0;   ///< of the coming picture, see cells.hpp
         std::uint32_t share = 0; ///< likewise, of its opacity
@@ -53,12 +53,12 @@ public:
     std::uint32_t background_ink = 0;
 
     /// The steps of both pictures, whose partners are found.
-    [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> coming, std::span<PaintStep> shown);
+    [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> next, std::span<PaintStep> shown);
     /// Whether a layer of the coming picture has the same outlines as its partner, and looks the same.
-    bool is_same(const PaintStep& coming) const
+    bool is_same(const PaintStep& next) const
     {
-        return coming.partner != PaintStep::no_partner && has_same_outlines(coming, shown_[coming.partner]) &&
-               is_same_colour(coming, shown_[coming.partner]);
+        return next.partner != PaintStep::no_partner && has_same_outlines(next, shown_[next.partner]) &&
+               is_same_colour(next, shown_[next.partner]);
     }
     /// All layers have slots of their own; if not, assign() gives slots to the layers of a band.
     bool hold_all() const { return hold_all_; }
@@ -72,18 +72,18 @@ public:
     {
         background_ink = Cells::ink(background);
         for (unsigned slot = free_; slot != slot_count; ++slot)
-            if (Layer& layer = layers_[slot]; layer.coming != nullptr) {
-                layer.ink = Cells::ink(layer.coming->colour);
-                layer.share = opacity_share<Cells>(layer.coming->colour.opacity);
+            if (Layer& layer = layers_[slot]; layer.next != nullptr) {
+                layer.ink = Cells::ink(layer.next->colour);
+                layer.share = opacity_share<Cells>(layer.next->colour.opacity);
             }
     }
 
     const Layer& layer(unsigned slot) const { return layers_[slot]; }
     /// Whether a pixel that the layers `coming` cover wholly looks as the layers `shown` made it look.
-    bool looks_same(SlotMask coming, SlotMask shown) const;
+    bool looks_same(SlotMask next, SlotMask shown) const;
     /// Whether one opaque layer lies above all of `touched`, in both pictures; the masks are of the layers
     /// that cover a place wholly, but for `touched`.
-    bool is_hidden(SlotMask coming, SlotMask shown, SlotMask touched) const;
+    bool is_hidden(SlotMask next, SlotMask shown, SlotMask touched) const;
 
     SlotMask same = 0;       ///< outlines and rule are those of the shown picture
     SlotMask recoloured = 0; ///< colour or opacity, or that of a group around it, is another one
@@ -93,15 +93,15 @@ public:
     SlotMask even_odd = 0; ///< of the coming picture
 
 private:
-    static bool has_same_outlines(const PaintStep& coming, const PaintStep& shown)
+    static bool has_same_outlines(const PaintStep& next, const PaintStep& shown)
     {
-        return coming.outlines == shown.outlines && coming.rule == shown.rule;
+        return next.outlines == shown.outlines && next.rule == shown.rule;
     }
-    bool is_same_colour(const PaintStep& coming, const PaintStep& shown) const;
-    bool put(PaintStep* coming, PaintStep* shown);
+    bool is_same_colour(const PaintStep& next, const PaintStep& shown) const;
+    bool put(PaintStep* next, PaintStep* shown);
 
     std::array<Layer, slot_count> layers_;
-    std::span<PaintStep> coming_;
+    std::span<PaintStep> next_;
     std::span<PaintStep> shown_;
     unsigned free_ = slot_count;
     bool has_same_groups_ = false;

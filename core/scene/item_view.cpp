@@ -63,10 +63,10 @@ void take_tracks(ByteReader& bytes, ItemView& item)
     item.is_known = item.is_known && item.path.is_known;
 }
 
-void read_carrier(ByteReader& bytes, ObjectView& object)
+void read_deformer(ByteReader& bytes, ObjectView& object)
 {
     const std::uint32_t number = bytes.u8();
-    object.carrier = number == 0 ? Carrier::backbones : Carrier::bones;
+    object.deformer = number == 0 ? Deformer::backbones : Deformer::bones;
     if (number != 0) {
         object.skeleton = number - 1;
     } else {
@@ -107,7 +107,7 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
     object.style = take_style(bytes, head);
     object.has_arrivals = (head & arrivals_bit) != 0;
     if ((head & carried_bit) != 0)
-        read_carrier(bytes, object);
+        read_deformer(bytes, object);
     object.key_bytes = bytes;
     object.take_keys(bytes);
     return object;

@@ -79,12 +79,12 @@ inline KeyInterval<Key> interval_at(const KeyCursor& keys, Time time)
 }
 
 /// What moves the points of an object besides its drawings.
-enum class Carrier : std::uint8_t { none, backbones, bones };
+enum class Deformer : std::uint8_t { none, backbones, bones };
 
 /// What an object is besides its tracks; borrows the scene's bytes.
 struct ObjectView {
     ObjectStyle style;
-    Carrier carrier = Carrier::none;
+    Deformer deformer = Deformer::none;
     std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
     BackbonesView backbones = {}; ///< only if backbones carry it
     bool has_arrivals = false;    ///< see Key::arrival
@@ -92,7 +92,7 @@ struct ObjectView {
     ByteReader key_bytes;         ///< begins with the keys
 
     /// Its keys have Key::more.
-    bool has_more() const { return has_depths || carrier == Carrier::bones; }
+    bool has_more() const { return has_depths || deformer == Deformer::bones; }
     KeyCursor keys() const
     {
         ByteReader bytes = key_bytes;

@@ -1,6 +1,6 @@
 #include "core/scene/packed_drawing.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 namespace kfast {
 namespace {
@@ -94,7 +94,7 @@ void PackedDrawing::predict(std::uint32_t byte)
 
 Segment PackedDrawing::next_segment()
 {
-    did(Work::segment);
+    count_op(Op::segment);
     if (left_ == half_)
         turn();
     --left_;

@@ -18,16 +18,17 @@ std::uint32_t total(ByteReader lengths)
 
 /// The direction that the curve has at a share of its parameter: that of the last line in de Casteljau's
 /// construction; where it has no extent, at the ends, that of the next control points.
-Point tangent(const Segment& segment, Share share)
+Point tangent(const Segment& segment, Fraction fraction)
 {
     if (segment.kind == Segment::Kind::line)
         return segment.to - segment.from;
-    const Point middle = lerp(segment.c1, segment.c2, share);
-    const Point line = lerp(middle, lerp(segment.c2, segment.to, share), share) -
-                       lerp(lerp(segment.from, segment.c1, share), middle, share);
+    const Point middle = lerp(segment.c1, segment.c2, fraction);
+    const Point line = lerp(middle, lerp(segment.c2, segment.to, fraction), fraction) -
+                       lerp(lerp(segment.from, segment.c1, fraction), middle, fraction);
     if (line != Point{})
         return line;
-    const Point near_end = share.raw < Share::one / 2 ? segment.c2 - segment.from : segment.to - segment.c1;
+    const Point near_end =
+        fraction.raw < Fraction::one / 2 ? segment.c2 - segment.from : segment.to - segment.c1;
     return near_end != Point{} ? near_end : segment.to - segment.from;
 }
 
@@ -45,9 +46,9 @@ PathView PathView::take(ByteReader& bytes)
     return path;
 }
 
-PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t share)
+PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t fraction)
 {
-    const std::int32_t within = std::clamp<std::int32_t>(share, 0, 1 << share_bits);
+    const std::int32_t within = std::clamp<std::int32_t>(fraction, 0, 1 << share_bits);
     auto left = static_cast<std::uint32_t>(
         (std::uint64_t{total(path.lengths)} * static_cast<std::uint32_t>(within)) >> (share_bits - sub_bits));
     ByteReader lengths = path.lengths;
@@ -59,7 +60,7 @@ PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t shar
         segment = stroke.next_segment();
         length = lengths.varint() << sub_bits;
     }
-    const Share part = Share::ratio(std::min(left, length), length);
+    const Fraction part = Fraction::ratio(std::min(left, length), length);
     const Point line = tangent(segment, part);
     return {point_at(segment, part), direction(line.x.raw(), line.y.raw())};
 }

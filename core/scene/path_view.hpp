@@ -27,6 +27,6 @@ struct PathPlace {
 
 /// At a share of the length in 1/2^24; below 0 and above 1 at the ends. The share within a segment is rounded
 /// to 1/65536 (of one as long as 1/16 px is stored, to 1/256), the point to 3/65536 px.
-PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t share);
+PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t fraction);
 
 }

@@ -7,7 +7,7 @@
 namespace kfast {
 
 /// A bone, and how far a point follows it.
-struct BoneShare {
+struct BoneInfluence {
     std::uint32_t bone = 0;    ///< its number in the skeleton
     std::int32_t weight = 256; ///< in 1/256; those of a point add up to 256
 };
@@ -25,7 +25,7 @@ public:
     /// The number of the last bone.
     std::uint32_t last() const { return last_; }
 
-    /// Calls use(BoneShare) for each bone.
+    /// Calls use(BoneInfluence) for each bone.
     template <class Use>
     void each(Use use) const
     {
@@ -35,9 +35,9 @@ public:
             const std::uint32_t bone = bytes.u8();
             const auto weight = static_cast<std::int32_t>(bytes.u8());
             rest -= weight;
-            use(BoneShare{bone, weight});
+            use(BoneInfluence{bone, weight});
         }
-        use(BoneShare{last_, rest});
+        use(BoneInfluence{last_, rest});
     }
 
 private:

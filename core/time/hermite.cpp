@@ -10,10 +10,13 @@ std::int32_t rise(const KeySample& a, const KeySample& b, Time from, Time to)
 {
     const auto part = static_cast<std::uint32_t>((to - from).ticks);
     const auto whole = static_cast<std::uint32_t>((b.time - a.time).ticks);
-    return multiply(fine(b.value - a.value), static_cast<std::int32_t>(Share::ratio(part, whole).raw), 16);
+    return multiply(fine(b.value - a.value), static_cast<std::int32_t>(Fraction::ratio(part, whole).raw), 16);
 }
 
-std::int64_t times(std::int64_t value, std::int32_t share) { return (value * share + Share::one / 2) >> 16; }
+std::int64_t times(std::int64_t value, std::int32_t fraction)
+{
+    return (value * fraction + Fraction::one / 2) >> 16;
+}
 
 }
 
@@ -24,14 +27,14 @@ std::int32_t hermite(const HermiteSpan& span, Time time)
         return fine(from.value);
     const std::int64_t begin = before.time == from.time ? 0 : rise(before, to, from.time, to.time);
     const std::int64_t end = after.time == to.time ? 0 : rise(from, after, from.time, to.time);
-    const std::int64_t way = fine(to.value - from.value);
-    const auto share =
-        static_cast<std::int32_t>(Share::ratio(static_cast<std::uint32_t>((time - from.time).ticks),
-                                               static_cast<std::uint32_t>((to.time - from.time).ticks))
+    const std::int64_t change = fine(to.value - from.value);
+    const auto fraction =
+        static_cast<std::int32_t>(Fraction::ratio(static_cast<std::uint32_t>((time - from.time).ticks),
+                                                  static_cast<std::uint32_t>((to.time - from.time).ticks))
                                       .raw);
-    const std::int64_t cubic = begin + end - 2 * way;
-    const std::int64_t square = 3 * way - 2 * begin - end;
-    const std::int64_t passed = times(begin + times(square + times(cubic, share), share), share);
+    const std::int64_t cubic = begin + end - 2 * change;
+    const std::int64_t square = 3 * change - 2 * begin - end;
+    const std::int64_t passed = times(begin + times(square + times(cubic, fraction), fraction), fraction);
     return fine(from.value) + static_cast<std::int32_t>(passed);
 }
 

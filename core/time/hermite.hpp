@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/time/key_interval.hpp"
 #include "core/time/time.hpp"
@@ -60,7 +60,7 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
 struct KeySpan {
     std::int32_t from;
     std::int32_t to;
-    Way way;
+    Progress progress;
 };
 
 /// Which of the two laws of a key governs.
@@ -76,7 +76,7 @@ constexpr Fixed fine_pixels(std::int32_t fine)
 constexpr std::int32_t fine_value(const KeySpan& key_span)
 {
     return key_span.from * (1 << fine_bits) +
-           multiply(key_span.to - key_span.from, key_span.way.raw, 16 - fine_bits);
+           multiply(key_span.to - key_span.from, key_span.progress.raw, 16 - fine_bits);
 }
 
 }

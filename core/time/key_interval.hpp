@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/time/law_pair.hpp"
 #include "core/time/time.hpp"
 
@@ -43,16 +43,16 @@ auto interval_at(Cursor keys, Time time)
 }
 
 /// The share of the way between two keys, apart for x and y.
-struct Progress {
-    Way x;
-    Way y;
+struct ProgressXY {
+    Progress x;
+    Progress y;
 
-    constexpr bool is_at_beginning() const { return x == Way{} && y == Way{}; }
-    friend constexpr bool operator==(const Progress&, const Progress&) = default;
+    constexpr bool is_at_beginning() const { return x == Progress{} && y == Progress{}; }
+    friend constexpr bool operator==(const ProgressXY&, const ProgressXY&) = default;
 };
 
 /// How far the way that leads from the time `from` to the time `to` has come at `time`; nothing of it on and
 /// before `from`, nor if there is no way.
-Progress progress_between(Time from, Time to, Time time, const LawPair& laws);
+ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
 
 }

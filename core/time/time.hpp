@@ -55,10 +55,10 @@ constexpr std::uint32_t bit_of_input(std::uint32_t number) { return std::uint32_
 inline constexpr Time whole_input{65536};
 
 /// Where all clocks of a scene stand at once.
-class Moment {
+class SceneTime {
 public:
     /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not told stands at 0.
-    constexpr Moment(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
+    constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
     constexpr Time at(Driver driver) const
@@ -76,19 +76,19 @@ private:
 /// On which timelines and inputs something depends at a moment: a bit for each. There are as many as there
 /// are, so that several may share a bit: then more is taken to move than does.
 struct Dependence {
-    std::uint32_t keys = 0; ///< all of them
-    std::uint32_t ways = 0; ///< those between two keys that differ: it moves as these go on
+    std::uint32_t keys = 0;   ///< all of them
+    std::uint32_t tweens = 0; ///< those between two keys that differ: it moves as these go on
 
     static constexpr std::uint32_t bit(std::uint32_t number) { return std::uint32_t{1} << (number % 32); }
 
     /// `moved` has what came to other keys, or was told something new, and what went on between its keys.
     constexpr bool is_touched_by(const Dependence& moved) const
     {
-        return ((keys & moved.keys) | (ways & moved.ways)) != 0;
+        return ((keys & moved.keys) | (tweens & moved.tweens)) != 0;
     }
     friend constexpr Dependence operator|(const Dependence& a, const Dependence& b)
     {
-        return {a.keys | b.keys, a.ways | b.ways};
+        return {a.keys | b.keys, a.tweens | b.tweens};
     }
     friend constexpr bool operator==(const Dependence&, const Dependence&) = default;
 };

@@ -1,24 +1,30 @@
 #include "core/time/velocity_law.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/angle.hpp"
 
 namespace kfast {
 namespace {
 
-constexpr Way way_of(Share share) { return {static_cast<std::int32_t>(share.raw)}; }
+constexpr Progress progress_of(Fraction fraction) { return {static_cast<std::int32_t>(fraction.raw)}; }
 
-Share decelerated(Share time) { return {(static_cast<std::uint32_t>(quarter_sine(time)) + (1 << 13)) >> 14}; }
+Fraction decelerated(Fraction time)
+{
+    return {(static_cast<std::uint32_t>(quarter_sine(time)) + (1 << 13)) >> 14};
+}
 
 // (1 - cos 2a) / 2 = sin^2 a: squaring keeps the precision near both ends.
-Share accelerated_decelerated(Share time)
+Fraction accelerated_decelerated(Fraction time)
 {
     const auto sine = static_cast<std::uint64_t>(quarter_sine(time));
     return {static_cast<std::uint32_t>((sine * sine + (std::uint64_t{1} << 43)) >> 44)};
 }
 
 /// The last step whose share, rounded, has come. n is below 2^16 and so all fits in 32 bits.
-Share stepped(Share time, std::uint32_t n) { return Share::ratio((time.raw * n + (n - 1) / 2) >> 16, n); }
+Fraction stepped(Fraction time, std::uint32_t n)
+{
+    return Fraction::ratio((time.raw * n + (n - 1) / 2) >> 16, n);
+}
 
 /// A cubic Bezier polynomial in Q24.
 struct Cubic {
@@ -59,7 +65,7 @@ constexpr Cubic from_0_to_1(std::int32_t c1, std::int32_t c2)
 /// de Casteljau's construction needs only sums and shifts, and after twelve halvings a line stands for what
 /// is left. It is less than 0.01 units from the curve in x and 0.03 in y: of the largest second differences,
 /// 2 and 7, it is 3/4 over 2^24.
-Way way_on(Cubic x, Cubic y, Share time)
+Progress progress_on(Cubic x, Cubic y, Fraction time)
 {
     const auto target = static_cast<std::int32_t>(time.raw << 8);
     for (int halving = 0; halving < 12; ++halving) {
@@ -67,36 +73,36 @@ Way way_on(Cubic x, Cubic y, Share time)
         x = half(x);
         y = half(y);
     }
-    const Share share =
-        Share::ratio(static_cast<std::uint32_t>(target - x.from),
-                     static_cast<std::uint32_t>(x.to - x.from)); // below 2^14: 32-bit division
-    return {(lerp(Fixed::from_raw(y.from), Fixed::from_raw(y.to), share).raw() + (1 << 7)) >> 8};
+    const Fraction fraction =
+        Fraction::ratio(static_cast<std::uint32_t>(target - x.from),
+                        static_cast<std::uint32_t>(x.to - x.from)); // below 2^14: 32-bit division
+    return {(lerp(Fixed::from_raw(y.from), Fixed::from_raw(y.to), fraction).raw() + (1 << 7)) >> 8};
 }
 
 }
 
-Way progress(const VelocityLaw& law, Share time)
+Progress progress(const VelocityLaw& law, Fraction time)
 {
-    if (time == Share{} || time.raw == Share::one)
-        return way_of(time);
-    did(law.kind == VelocityLaw::Kind::bezier ? Work::bezier_law : Work::law);
+    if (time == Fraction{} || time.raw == Fraction::one)
+        return progress_of(time);
+    count_op(law.kind == VelocityLaw::Kind::bezier ? Op::bezier_law : Op::law);
     switch (law.kind) {
     case VelocityLaw::Kind::constant:
-        return way_of(time);
+        return progress_of(time);
     case VelocityLaw::Kind::accelerate:
-        return {Way::one - way_of(decelerated({Share::one - time.raw})).raw};
+        return {Progress::one - progress_of(decelerated({Fraction::one - time.raw})).raw};
     case VelocityLaw::Kind::decelerate:
-        return way_of(decelerated(time));
+        return progress_of(decelerated(time));
     case VelocityLaw::Kind::accelerate_decelerate:
-        return way_of(accelerated_decelerated(time));
+        return progress_of(accelerated_decelerated(time));
     case VelocityLaw::Kind::hold:
         return {};
     case VelocityLaw::Kind::steps:
-        return way_of(stepped(time, law.steps));
+        return progress_of(stepped(time, law.steps));
     case VelocityLaw::Kind::bezier:
-        return way_on(from_0_to_1(law.x1, law.x2), from_0_to_1(law.y1, law.y2), time);
+        return progress_on(from_0_to_1(law.x1, law.x2), from_0_to_1(law.y1, law.y2), time);
     }
-    return way_of(time);
+    return progress_of(time);
 }
 
 }

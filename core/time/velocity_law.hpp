@@ -84,11 +84,11 @@ constexpr bool is_valid(const VelocityLaw& law)
 ///   moment whose share has been rounded down.
 /// - bezier: within 0.6 units of the exact value at a time that is within 0.1 units of `time`, and so within
 ///   0.6 + 0.1 times the slope. Never falls where y1 and y2 are in 0 … 1. Leaves 0 … 1 as way_range() says.
-Way progress(const VelocityLaw& law, Share time);
+Progress progress(const VelocityLaw& law, Fraction time);
 
 struct WayRange {
-    Way min = {0};        ///< or below
-    Way max = {Way::one}; ///< or above
+    Progress min = {0};             ///< or below
+    Progress max = {Progress::one}; ///< or above
 };
 
 /// A bound on the way, from -1.5 … 0 to 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve
@@ -97,11 +97,11 @@ constexpr WayRange way_range(const VelocityLaw& law)
 {
     if (law.kind != VelocityLaw::Kind::bezier)
         return {};
-    constexpr std::int32_t three_quarters = Way::one / VelocityLaw::control_one * 3 / 4;
+    constexpr std::int32_t three_quarters = Progress::one / VelocityLaw::control_one * 3 / 4;
     const std::int32_t below = std::max<std::int32_t>({0, -law.y1, -law.y2});
     const std::int32_t above =
         std::max<std::int32_t>({0, law.y1 - VelocityLaw::control_one, law.y2 - VelocityLaw::control_one});
-    return {{-below * three_quarters}, {Way::one + above * three_quarters}};
+    return {{-below * three_quarters}, {Progress::one + above * three_quarters}};
 }
 
 }

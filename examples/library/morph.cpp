@@ -11,7 +11,7 @@
 
 namespace {
 
-using kfast::DrawingView, kfast::Point, kfast::Segment, kfast::Share, kfast::StrokeView;
+using kfast::DrawingView, kfast::Point, kfast::Segment, kfast::Fraction, kfast::StrokeView;
 
 constexpr Point at(int x, int y) { return {kfast::Fixed::pixels(x), kfast::Fixed::pixels(y)}; }
 
@@ -30,7 +30,7 @@ constexpr std::array house{StrokeView{walls}, StrokeView{roof}};
 
 void print(Point point) { std::printf(" %.2f,%.2f", point.x.raw() / 65536.0, point.y.raw() / 65536.0); }
 
-void draw_between(DrawingView from, DrawingView to, Share time)
+void draw_between(DrawingView from, DrawingView to, Fraction time)
 {
     const auto x = kfast::progress(kfast::VelocityLaw::accelerate_decelerate, time);
     const auto y = kfast::progress(kfast::VelocityLaw::constant, time);
@@ -58,7 +58,8 @@ int main()
                 80 * (last + 1));
     for (int step = 0; step <= last; ++step) {
         std::printf("<g transform='translate(%d)'>\n", 80 * step);
-        draw_between(DrawingView{drop}, DrawingView{house}, Share::ratio(static_cast<unsigned>(step), last));
+        draw_between(DrawingView{drop}, DrawingView{house},
+                     Fraction::ratio(static_cast<unsigned>(step), last));
         std::printf("</g>\n");
     }
     std::printf("</svg>\n");

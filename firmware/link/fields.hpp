@@ -154,7 +154,7 @@ constexpr std::uint8_t code_of()
 
 /// Does not compile unless the fields find room in a report.
 template <class M>
-consteval bool finds_room()
+consteval bool fits()
 {
     std::array<std::byte, payload_bytes> room{};
     const M message;
@@ -166,7 +166,7 @@ consteval bool finds_room()
 template <class M>
 Report report_of(const M& message, std::uint8_t tag)
 {
-    static_assert(finds_room<M>());
+    static_assert(fits<M>());
     Report report;
     report.bytes[0] = static_cast<std::byte>(code_of<M>());
     report.bytes[1] = static_cast<std::byte>(tag);

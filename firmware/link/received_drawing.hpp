@@ -60,9 +60,9 @@ inline Status tell(SceneState& player, const DrawingPart& part)
     }
     const std::size_t before = std::size_t{told.parts} * Points::max;
     const bool is_whole = !part.count || (*part.count >= before && *part.count - before <= Drawing::max);
-    const bool has_room =
+    const bool fits =
         is_whole && add(drawing, part.points.first(part.count ? *part.count - before : Points::max));
-    if (!has_room) {
+    if (!fits) {
         drawing.begin();
         return is_whole ? Status::drawing_large : Status::drawing_broken;
     }

@@ -35,7 +35,7 @@ public:
     }
 
     /// Whether write() need not wait.
-    bool has_room() const { return (flags_.read() & transmit_full) == 0; }
+    bool can_transmit() const { return (flags_.read() & transmit_full) == 0; }
     /// Whether bytes are still on their way.
     bool is_sending() const { return (flags_.read() & busy) != 0; }
     /// Whether it interrupts when much of what was written has been sent.
@@ -43,7 +43,7 @@ public:
 
     void write(char letter) const
     {
-        while (!has_room()) {
+        while (!can_transmit()) {
         }
         data_.write(static_cast<std::uint8_t>(letter));
     }

@@ -13,7 +13,7 @@ std::span<const BeamPoint> BeamSource::show(Time moment)
 {
     player_.show_moment(moment);
     points_.clear();
-    BeamPlot plot = player_.plot();
+    PointStream plot = player_.plot();
     std::array<BeamPoint, 256> piece;
     while (const std::size_t count = plot.next(piece))
         points_.insert(points_.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));

@@ -27,10 +27,10 @@ constexpr double degrees_apart = 5;      ///< of places on the arc that are look
 
 double between(double a, double b, double share) { return a + share * (b - a); }
 
-double share_of(Way way) { return static_cast<double>(way.raw) / Way::one; }
+double share_of(Progress progress) { return static_cast<double>(progress.raw) / Progress::one; }
 
 /// As it would be if its angles went evenly.
-Sector between(const Sector& a, const Sector& b, const Progress& progress)
+Sector between(const Sector& a, const Sector& b, const ProgressXY& progress)
 {
     const double x = share_of(progress.x);
     const double y = share_of(progress.y);
@@ -60,13 +60,13 @@ std::uint32_t chords_of(double radius)
     return 1 + static_cast<std::uint32_t>(std::numbers::pi / 4 * std::sqrt(radius / chord_error / 2));
 }
 
-std::vector<Vec2> stroke_spots(const SegmentPairs& stroke, const Progress& progress, std::uint32_t chords)
+std::vector<Vec2> stroke_spots(const SegmentPairs& stroke, const ProgressXY& progress, std::uint32_t chords)
 {
     std::vector<Vec2> spots;
     for (const Pair<Segment>& pair : stroke) {
         const Segment segment = tween(pair.a, pair.b, progress.x, progress.y);
         for (std::uint32_t i = spots.empty() ? 0 : 1; i <= chords; ++i)
-            spots.push_back(in_pixels(point_at(segment, Share::ratio(i, chords))));
+            spots.push_back(in_pixels(point_at(segment, Fraction::ratio(i, chords))));
     }
     return spots;
 }
@@ -151,7 +151,7 @@ private:
                  const SegmentPairs& stroke)
     {
         for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
-            const Progress progress = progress_between(key.time, next.time, time, key.laws);
+            const ProgressXY progress = progress_between(key.time, next.time, time, key.laws);
             const Sector sector = between(sectors.a, sectors.b, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
             const double by = drift(sector, stroke_spots(stroke, progress, chords_of(radius)));

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_point.hpp"
 #include "core/beam/beam_route.hpp"
-#include "host/compiler/carry/carrier.hpp"
+#include "host/compiler/carry/deformer.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -116,7 +116,7 @@ bool is_small(const scene::Drawing& drawing)
 /// drawn is not when they are turned.
 bool never_changes(const scene::Object& object)
 {
-    return object.keys.size() == 1 && carrier_of(object) == Carrier::none && !object.has_depths &&
+    return object.keys.size() == 1 && deformer_of(object) == Deformer::none && !object.has_depths &&
            object.stroke && !object.fill;
 }
 

@@ -70,7 +70,7 @@ bool read_name_of(const kdl::Node& node, Control& control, Report& report)
                         "remove it");
 }
 
-bool has_room(const kdl::Node& node, const Draft& draft, Report& report)
+bool has_capacity(const kdl::Node& node, const Draft& draft, Report& report)
 {
     return draft.controls < BoardSettings::max_controls ||
            report.error(node.name_span,
@@ -84,7 +84,7 @@ bool read_control(const kdl::Node& node, ControlKind kind, Draft& draft, Report&
     Control control{.kind = kind, .action = ControlAction::play, .pin = no_pin, .name = {}};
     const bool has_pin = schema::assign(read_pin(node.arguments[0], report), control.pin);
     const bool has_action = schema::assign(read_action(node.arguments[1], kind, report), control.action);
-    if (!refuse_properties(node, report) || !has_room(node, draft, report) || !has_pin || !has_action ||
+    if (!refuse_properties(node, report) || !has_capacity(node, draft, report) || !has_pin || !has_action ||
         !read_name_of(node, control, report))
         return false;
     draft.control_nodes[draft.controls] = &node;

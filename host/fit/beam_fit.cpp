@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t point_bytes = 4;
 constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
-constexpr int readable_haste = 4;        ///< beyond twice the speed, lines grow too dark or too coarse
+constexpr int readable_speed_level = 4;  ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// Of the program that plays for a beam, with the core (tests/bench/image/beam).
 constexpr std::size_t beam_code = 65704;
@@ -95,23 +95,23 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
 }
 
 /// Of those that are drawn whole: the others are a reason not to fit.
-void note_haste(const BeamFit& fit, std::vector<std::string>& notes)
+void note_speed_level(const BeamFit& fit, std::vector<std::string>& notes)
 {
     int max = 0;
-    std::size_t hasty = 0;
+    std::size_t sped_up = 0;
     for (const BeamMoment& picture : fit.pictures)
-        if (picture.report.is_complete && picture.report.haste > 0) {
-            ++hasty;
-            max = std::max<int>(max, picture.report.haste);
+        if (picture.report.is_complete && picture.report.speed_level > 0) {
+            ++sped_up;
+            max = std::max<int>(max, picture.report.speed_level);
         }
-    if (hasty == 0)
+    if (sped_up == 0)
         return;
     std::array<char, 16> factor{};
     std::snprintf(factor.data(), factor.size(), "%.1f", std::exp2(max / 4.0));
-    notes.push_back(counted(hasty, "picture") + " of " + std::to_string(fit.pictures.size()) +
+    notes.push_back(counted(sped_up, "picture") + " of " + std::to_string(fit.pictures.size()) +
                     " are drawn faster than the profile has it, up to " + factor.data() +
                     " times: lines are darker" +
-                    (max > readable_haste ? " and corners less sharp; draw fewer lines" : ""));
+                    (max > readable_speed_level ? " and corners less sharp; draw fewer lines" : ""));
 }
 
 void note_hatchings(const BeamFit& fit, std::vector<std::string>& notes)
@@ -175,7 +175,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
         tell(fit.pictures.size(), run.frames_of_all());
         const double count = instructions_of(picture, target);
         fit.pictures.push_back({picture.moment, picture.report, count, count * cycles / target.clock});
-        fit.hasty += picture.report.haste != 0 ? 1 : 0;
+        fit.sped_up += picture.report.speed_level != 0 ? 1 : 0;
         fit.incomplete += picture.report.is_complete ? 0 : 1;
         fit.dearest_seconds = std::max(fit.dearest_seconds, fit.pictures.back().cpu_seconds);
     });
@@ -186,7 +186,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     check_bus(target, fit.weaknesses);
     check_pictures(fit, target, fit.weaknesses);
     check_speed(fit, fit.weaknesses);
-    note_haste(fit, fit.notes);
+    note_speed_level(fit, fit.notes);
     note_hatchings(fit, fit.notes);
     note_room(target, fit.notes);
     if (run.stride() > 1)

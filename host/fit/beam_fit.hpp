@@ -30,7 +30,7 @@ struct BeamFit {
     FlashNeed flash;
     RamNeed ram;                         ///< the buffers for points in place of bands
     std::vector<BeamMoment> pictures;    ///< those with least points first
-    std::size_t hasty = 0;               ///< of them, drawn faster than the profile has it
+    std::size_t sped_up = 0;             ///< of them, drawn faster than the profile has it
     std::size_t incomplete = 0;          ///< of them, not all lines are drawn
     double dearest_seconds = 0;          ///< of the CPU
     double wanted_rate = 0;              ///< frames per second

@@ -1,7 +1,7 @@
 #include "host/fit/beam_run.hpp"
 
 #include "host/fit/beam_fit.hpp"
-#include "host/fit/work_log.hpp"
+#include "host/fit/op_log.hpp"
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ void BeamRun::visit_busy(const VisitPicture& visit)
 
 void BeamRun::show(Time moment, const VisitPicture& visit)
 {
-    WorkLog log;
+    OpLog log;
     player_.show_moment(moment);
     BeamPicture picture{.moment = moment, .report = player_.report()};
     for (const auto& [path, count] : log.by_item())

@@ -3,8 +3,8 @@
 #include "core/beam/beam_player.hpp"
 #include "core/scene/scene_view.hpp"
 #include "host/fit/busy_inputs.hpp"
+#include "host/fit/op_counts.hpp"
 #include "host/fit/target.hpp"
-#include "host/fit/work_count.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstddef>
@@ -16,10 +16,10 @@ namespace kfast::fit {
 struct BeamPicture {
     Time moment;
     BeamReport report;
-    WorkCount work{}; ///< of evaluating the scene
+    OpCounts work{}; ///< of evaluating the scene
 
     /// It was not the one before, which is not computed again.
-    bool is_new() const { return work[static_cast<std::size_t>(Work::item)] != 0; }
+    bool is_new() const { return work[static_cast<std::size_t>(Op::item)] != 0; }
 };
 
 using VisitPicture = std::function<void(const BeamPicture&)>;

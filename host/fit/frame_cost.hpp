@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/time/time.hpp"
+#include "host/fit/op_counts.hpp"
 #include "host/fit/target.hpp"
-#include "host/fit/work_count.hpp"
 
 #include <cstddef>
 
@@ -24,7 +24,7 @@ struct FrameCost {
 /// What the core did for a picture, and the areas and bytes that go over the bus.
 struct FrameEffort {
     Time moment;
-    WorkCount work;
+    OpCounts work;
     std::size_t areas = 0;
     std::size_t bytes = 0;
 };

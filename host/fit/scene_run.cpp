@@ -31,9 +31,9 @@ std::vector<std::byte> band_for(const Target& target)
 
 }
 
-WorkCount FrameWork::work() const
+OpCounts FrameOps::work() const
 {
-    WorkCount sum{};
+    OpCounts sum{};
     for (const auto& [path, count] : by_item)
         sum += count;
     return sum;
@@ -55,7 +55,7 @@ void SceneRun::visit_first(Time offset, const VisitFrame& visit)
 
 void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
 {
-    const auto ignore = [](const FrameWork&) {};
+    const auto ignore = [](const FrameOps&) {};
     for (int frame = 0; frame < frames_; frame += stride_) {
         if (frame == 0 || stride_ > 1)
             draw(moment_of(frame == 0 ? frames_ - 1 : frame - 1, offset), ignore);
@@ -80,7 +80,7 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
     for (int frame = 0; frame < turn; frame += stride_) {
         if (frame == 0 || stride_ > 1) {
             inputs_.put(frame + turn - 1);
-            draw(moment_of((frame + frames_ - 1) % frames_, {}), [](const FrameWork&) {});
+            draw(moment_of((frame + frames_ - 1) % frames_, {}), [](const FrameOps&) {});
         }
         inputs_.put(frame);
         draw(moment_of(frame % frames_, {}), visit);
@@ -99,7 +99,7 @@ void SceneRun::visit_noise(const VisitFrame& visit)
     if (InputDrawings::bytes_for(player_.scene()) == 0)
         return;
     inputs_.put_noise(0);
-    draw(moment_of(0, {}), [](const FrameWork&) {});
+    draw(moment_of(0, {}), [](const FrameOps&) {});
     inputs_.put_noise(1);
     draw(moment_of(0, {}), visit);
     inputs_.put_default();
@@ -116,13 +116,13 @@ void SceneRun::visit_end(const VisitFrame& visit)
     const SceneView& scene = player_.scene();
     if (scene.loop() != Loop::once)
         return;
-    draw(moment_of(frames_ - 1, {}), [](const FrameWork&) {});
+    draw(moment_of(frames_ - 1, {}), [](const FrameOps&) {});
     draw(scene.length(), visit);
 }
 
 void SceneRun::draw(Time moment, const VisitFrame& visit)
 {
-    WorkLog log;
+    OpLog log;
     player_.show_moment(moment);
     std::size_t areas = 0;
     std::size_t bytes = 0;

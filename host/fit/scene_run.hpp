@@ -4,8 +4,8 @@
 #include "core/scene/scene_view.hpp"
 #include "host/fit/busy_inputs.hpp"
 #include "host/fit/largest_outlines.hpp"
+#include "host/fit/op_log.hpp"
 #include "host/fit/target.hpp"
-#include "host/fit/work_log.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstddef>
@@ -18,18 +18,18 @@
 namespace kfast::fit {
 
 /// What the core did for one picture, and what went over the bus.
-struct FrameWork {
+struct FrameOps {
     Time moment;
-    const std::unordered_map<std::uint32_t, WorkCount>& by_item; ///< valid during the call
-    const raster::Picture& picture;                              ///< likewise
+    const std::unordered_map<std::uint32_t, OpCounts>& by_item; ///< valid during the call
+    const raster::Picture& picture;                             ///< likewise
     std::size_t areas = 0;
     std::size_t bytes = 0;    ///< of pixels and of the commands for areas
     int unrecorded_bands = 0; ///< Player::unrecorded_bands()
 
-    WorkCount work() const;
+    OpCounts work() const;
 };
 
-using VisitFrame = std::function<void(const FrameWork&)>;
+using VisitFrame = std::function<void(const FrameOps&)>;
 
 /// Plays one turn of a scene as a board does, in steps of a frame, and calls visit() for every frame. Of a
 /// scene that is longer than `max_frames`, some frames are left out.

@@ -15,11 +15,11 @@ public:
     {
     }
 
-    void take_first(const FrameWork& frame) { speed_.first = cost_of(frame); }
+    void take_first(const FrameOps& frame) { speed_.first = cost_of(frame); }
 
-    void take_noise(const FrameWork& frame) { speed_.noise = cost_of(frame); }
+    void take_noise(const FrameOps& frame) { speed_.noise = cost_of(frame); }
 
-    void take(const FrameWork& frame)
+    void take(const FrameOps& frame)
     {
         go_on(stop_);
         const FrameCost cost = cost_of(frame);
@@ -35,12 +35,12 @@ public:
     }
 
 private:
-    FrameCost cost_of(const FrameWork& frame) const
+    FrameCost cost_of(const FrameOps& frame) const
     {
         return cost_on(target_, {frame.moment, frame.work(), frame.areas, frame.bytes});
     }
 
-    HeaviestItem heaviest_of(const FrameWork& frame, const FrameCost& cost) const
+    HeaviestItem heaviest_of(const FrameOps& frame, const FrameCost& cost) const
     {
         HeaviestItem heaviest;
         for (const auto& [path, work] : frame.by_item) {
@@ -74,26 +74,26 @@ Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, cons
     Speed speed;
     SpeedMeter meter{target, stop, speed};
     SceneRun run{scene, target, fit};
-    const auto take = [&](const FrameWork& frame) {
+    const auto take = [&](const FrameOps& frame) {
         tell(speed.frames.size(), run.frames_of_all());
         meter.take(frame);
     };
     const auto take_into = [&](std::vector<double>& seconds) {
-        return [&](const FrameWork& frame) {
+        return [&](const FrameOps& frame) {
             take(frame);
             seconds.push_back(speed.frames.back().seconds());
         };
     };
-    run.visit_first(Time{0}, [&](const FrameWork& frame) { meter.take_first(frame); });
+    run.visit_first(Time{0}, [&](const FrameOps& frame) { meter.take_first(frame); });
     run.visit_turn(Time{0}, take_into(speed.turn));
     run.visit_turn(Time{Time::ticks_per_frame / 2}, take);
-    run.visit_presses([&](const FrameWork& frame) {
+    run.visit_presses([&](const FrameOps& frame) {
         take(frame);
         speed.leap = std::max(speed.leap, speed.frames.back().seconds());
     });
     run.visit_turn_with_inputs(take_into(speed.busy_turn));
     run.visit_end(take);
-    run.visit_noise([&](const FrameWork& frame) { meter.take_noise(frame); });
+    run.visit_noise([&](const FrameOps& frame) { meter.take_noise(frame); });
     speed.overfull = run.overfull();
     speed.stride = run.stride();
     std::ranges::stable_sort(speed.frames, {}, &FrameCost::seconds);

@@ -6,8 +6,8 @@
 
 #include "host/compile/scene_file.hpp"
 #include "host/fit/cost_table.hpp"
+#include "host/fit/op_names.hpp"
 #include "host/fit/scene_run.hpp"
-#include "host/fit/work_names.hpp"
 #include "host/program/failure.hpp"
 
 #include <cstdio>
@@ -19,14 +19,14 @@ namespace {
 void print_names()
 {
     std::printf("areas bytes cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33");
-    for (const std::string_view name : work_names)
+    for (const std::string_view name : op_names)
         std::printf(" %.*s", static_cast<int>(name.size()), name.data());
     std::printf("\n");
 }
 
-void print(const FrameWork& frame)
+void print(const FrameOps& frame)
 {
-    const WorkCount work = frame.work();
+    const OpCounts work = frame.work();
     std::printf("%zu %zu", frame.areas, frame.bytes);
     for (std::size_t i = 0; i < processor_count; ++i)
         std::printf(" %.0f", instructions(work, frame.areas, costs_of(static_cast<Processor>(i))));
@@ -40,7 +40,7 @@ void print_work(const SceneView& scene)
     Target target;
     target.display.size = scene.canvas();
     SceneRun run{scene, target, Fit::contain};
-    run.visit_first(Time{0}, [](const FrameWork&) {});
+    run.visit_first(Time{0}, [](const FrameOps&) {});
     run.visit_turn(Time{0}, print);
 }
 

@@ -23,14 +23,14 @@ public:
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 add_group(*group);
             else
-                add(std::get<art::Figure>(node.content));
+                add(std::get<art::Shape>(node.content));
         }
     }
 
     void add(const art::Rig& rig)
     {
         for (const art::Bone& bone : rig.bones) {
-            add_keys(bone.turn, bone.x, bone.y);
+            add_keys(bone.rotation, bone.x, bone.y);
             if (bone.length)
                 add_keys(*bone.length);
         }
@@ -60,16 +60,16 @@ private:
         add(group.nodes);
     }
 
-    void add(const art::Figure& figure)
+    void add(const art::Shape& shape)
     {
         ++extent_.figures;
-        add_keys(figure.drawing);
-        for (const auto& key : figure.drawing.keys)
+        add_keys(shape.drawing);
+        for (const auto& key : shape.drawing.keys)
             extent_.points += point_count(key.value);
-        if (figure.fill)
-            add_keys(figure.fill->colour, figure.fill->opacity);
-        if (figure.line)
-            add_keys(figure.line->colour, figure.line->opacity, figure.line->width);
+        if (shape.fill)
+            add_keys(shape.fill->colour, shape.fill->opacity);
+        if (shape.stroke)
+            add_keys(shape.stroke->colour, shape.stroke->opacity, shape.stroke->width);
     }
 
     Extent extent_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t max = std::numeric_limits<std::uint16_t>::max();
 
-struct Fraction {
+struct Ratio {
     std::int64_t numerator;
     std::int64_t denominator;
 };
@@ -18,16 +18,16 @@ struct Fraction {
 
 FilmDelay film_delay(std::int64_t ticks, std::uint32_t frame_rate)
 {
-    Fraction rest{ticks * 1000, std::int64_t{frame_rate} * Time::ticks_per_frame};
+    Ratio rest{ticks * 1000, std::int64_t{frame_rate} * Time::ticks_per_frame};
     if (rest.numerator / rest.denominator >= max)
         return {static_cast<std::uint16_t>(max), 1, false};
-    Fraction before{1, 0};
-    Fraction last{rest.numerator / rest.denominator, 1};
+    Ratio before{1, 0};
+    Ratio last{rest.numerator / rest.denominator, 1};
     rest = {rest.denominator, rest.numerator % rest.denominator};
     while (rest.denominator != 0) {
         const std::int64_t step = rest.numerator / rest.denominator;
-        const Fraction next{step * last.numerator + before.numerator,
-                            step * last.denominator + before.denominator};
+        const Ratio next{step * last.numerator + before.numerator,
+                         step * last.denominator + before.denominator};
         if (next.numerator > max || next.denominator > max)
             break;
         before = last;

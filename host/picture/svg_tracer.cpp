@@ -139,8 +139,10 @@ void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
     const std::string fill = style.is_filled ? fill_look(style, state.fill(), opacity) : "";
     if (!style.is_stroked)
         return add_path(filled, fill);
-    const std::int32_t growth = is_flat ? space.plane.growth() : projection.growth_at(first);
-    const std::string stroke = stroke_look(style, state.stroke(), opacity, half_width(state.width(), growth));
+    const std::int32_t scale_factor =
+        is_flat ? space.plane.scale_factor() : projection.scale_factor_at(first);
+    const std::string stroke =
+        stroke_look(style, state.stroke(), opacity, half_width(state.width(), scale_factor));
     const std::string stroked = data(SvgPath::Use::stroke);
     if (style.is_filled && filled == stroked)
         return add_path(filled, fill + stroke);

@@ -71,7 +71,7 @@ private:
     void count_tour()
     {
         ++loop_.tours;
-        loop_.hasty_tours += source_.report().haste > 0;
+        loop_.sped_up_tours += source_.report().speed_level > 0;
         loop_.incomplete_tours += !source_.report().is_complete;
     }
 

@@ -14,7 +14,7 @@ namespace kfast {
 struct SoundLoop {
     Tour points; ///< behind the last one comes the first one
     std::size_t tours = 0;
-    std::size_t hasty_tours = 0;      ///< whose pictures are drawn faster than the profile says
+    std::size_t sped_up_tours = 0;    ///< whose pictures are drawn faster than the profile says
     std::size_t incomplete_tours = 0; ///< whose pictures lack lines
 };
 

@@ -12,15 +12,15 @@ static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
 namespace kfast::test {
 
 /// Uses all that docs/library.md shows, so that the templates are compiled as well.
-std::uint32_t points_between(DrawingView from, DrawingView to, Share time)
+std::uint32_t points_between(DrawingView from, DrawingView to, Fraction time)
 {
     std::uint32_t points = 0;
-    const auto way = progress(VelocityLaw::accelerate, time);
+    const auto eased = progress(VelocityLaw::accelerate, time);
     EqualizedPair pair{from, to};
     while (const std::uint32_t segments = pair.next_stroke())
         for (std::uint32_t i = 0; i < segments; ++i) {
             const Pair<Segment> both = pair.next_segment();
-            flatten(tween(both.a, both.b, way, way), 8, [&points](Point) { ++points; });
+            flatten(tween(both.a, both.b, eased, eased), 8, [&points](Point) { ++points; });
         }
     return points;
 }

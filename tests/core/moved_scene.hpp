@@ -24,19 +24,19 @@ public:
     }
     MovedScene(const MovedScene&) = delete;
 
-    const PreparedScene& at(const Moment& moment)
+    const PreparedScene& at(const SceneTime& moment)
     {
         prepared_.move_to(scene_, moment, 0);
         return prepared_;
     }
     /// Posed.
-    const std::vector<PosedBone>& bones_at(const Moment& moment)
+    const std::vector<PosedBone>& bones_at(const SceneTime& moment)
     {
         pose_bones(scene_, at(moment), bones_);
         return bones_;
     }
     /// Whose canvas is as large as the panel; nothing is told from outside.
-    SceneOnPanel on_panel_at(const Moment& moment)
+    SceneOnPanel on_panel_at(const SceneTime& moment)
     {
         bones_at(moment);
         SceneOnPanel shown = on_panel(scene_, scene_.canvas(), Fit::none);

@@ -79,9 +79,9 @@ inline scene::Drawing hook()
 inline Bytes style() { return bytes({1, 2, 48, 5}); }
 
 /// An object without tracks, `carrier` and all, with the keys.
-inline Bytes carried(const Bytes& carrier, const std::vector<RawKey>& keys, int more_bits = 0)
+inline Bytes deformed(const Bytes& deformer, const std::vector<RawKey>& keys, int more_bits = 0)
 {
-    return joined({bytes({0x98 | more_bits}), style(), carrier, key_bytes(keys)});
+    return joined({bytes({0x98 | more_bits}), style(), deformer, key_bytes(keys)});
 }
 
 /// Filled and stroked, and the tracks with their number; a leaf that becomes another.
@@ -138,10 +138,10 @@ inline RawScene bones_scene()
     const std::uint32_t no_skin = drawings.add(skin_bytes({}));
     scene.bones = joined({skeleton_bytes({{}, {{.set_up = {0, 0, 0, 160}}}}), skeleton_bytes(puppet())});
     scene.items = joined(
-        {carried(bytes({2}),
-                 {key_at(0, easing, leaf_at, mixed_at), key_at(8, wild, hook_at, hook_skin),
-                  key_at(16, accelerate_decelerate, other_at, rest_at), key_at(24, 0, empty_at, no_skin)}),
-         carried(bytes({1}), {{.drawing = hook_at, .more = -1}})});
+        {deformed(bytes({2}),
+                  {key_at(0, easing, leaf_at, mixed_at), key_at(8, wild, hook_at, hook_skin),
+                   key_at(16, accelerate_decelerate, other_at, rest_at), key_at(24, 0, empty_at, no_skin)}),
+         deformed(bytes({1}), {{.drawing = hook_at, .more = -1}})});
     scene.drawings = drawings.bytes();
     return scene;
 }
@@ -173,10 +173,10 @@ inline RawScene backbones_scene()
     const Bytes forms = key_bytes({{{}, easing, form(0)},
                                    {Time::frame(12), wild, form(9)},
                                    {Time::frame(28), accelerate_decelerate, form(-8)}});
-    scene.items = carried(joined({bytes({0, 8}), forms}),
-                          {key_at(0, accelerate_decelerate, round_at, away_at),
-                           key_at(14, wild, away_at, round_at), key_at(26, 0, round_at, round_at)},
-                          0x40);
+    scene.items = deformed(joined({bytes({0, 8}), forms}),
+                           {key_at(0, accelerate_decelerate, round_at, away_at),
+                            key_at(14, wild, away_at, round_at), key_at(26, 0, round_at, round_at)},
+                           0x40);
     scene.drawings = drawings.bytes();
     return scene;
 }

@@ -37,7 +37,7 @@ RawScene on_bone(const scene::Drawing& drawing, const RawBoneKeys& angle, const 
     bone.keys[0] = angle;
     bone.keys[1] = x;
     scene.bones = skeleton_bytes({{}, {bone}});
-    scene.items = moving::carried(bytes({1}), {moving::key_at(0, 0, at, skin)});
+    scene.items = moving::deformed(bytes({1}), {moving::key_at(0, 0, at, skin)});
     scene.drawings = drawings.bytes();
     return scene;
 }
@@ -67,7 +67,7 @@ struct Band {
         RawDrawings drawings;
         const Bytes forms = key_bytes(
             {{.drawing = drawings.add(form)}, {.time = Time::frame(10), .drawing = drawings.add(moved)}});
-        raw.items = moving::carried(joined({bytes({0, 8}), forms}), {{.drawing = drawings.add(relative)}});
+        raw.items = moving::deformed(joined({bytes({0, 8}), forms}), {{.drawing = drawings.add(relative)}});
         raw.drawings = drawings.bytes();
         return raw;
     }
@@ -97,7 +97,7 @@ TEST_CASE("the skin of a drawing with another at rest moves it as that would")
     const std::uint32_t rest = drawings.add(flag);
     const std::uint32_t own = drawings.add(elsewhere);
     const std::uint32_t skin = drawings.add(skin_bytes({{6, {{0}}}}, rest + 1));
-    scene.items = moving::carried(bytes({1}), {moving::key_at(0, 0, own, skin)});
+    scene.items = moving::deformed(bytes({1}), {moving::key_at(0, 0, own, skin)});
     scene.drawings = drawings.bytes();
     CHECK(picture_of(scene, {}) == picture_of(plain_scene(expected), {}));
 }
@@ -109,8 +109,8 @@ TEST_CASE("between two keys each drawing is carried by itself, then tweened")
     const std::uint32_t first = drawings.add(flag);
     const std::uint32_t second = drawings.add(turned_flag);
     const std::uint32_t skin = drawings.add(skin_bytes({{6, {{0}}}}));
-    scene.items =
-        moving::carried(bytes({1}), {moving::key_at(0, 0, first, skin), moving::key_at(10, 0, second, skin)});
+    scene.items = moving::deformed(bytes({1}),
+                                   {moving::key_at(0, 0, first, skin), moving::key_at(10, 0, second, skin)});
     scene.drawings = drawings.bytes();
     // Half of the way, 5 px to the left.
     const scene::Drawing half{
@@ -146,8 +146,9 @@ TEST_CASE("a way leads to its arrival drawing, and the next one begins with the 
     const std::uint32_t own = drawings.add(band.relative);
     const std::uint32_t arrival =
         drawings.add({{stroke_of(16, 0, {line_to(24, 0), line_to(16, -8), line_to(16, 0)})}});
-    scene.items = moving::carried(joined({bytes({0, 8}), forms}),
-                                  {moving::key_at(0, 0, own, arrival), moving::key_at(4, 0, own, own)}, 0x40);
+    scene.items =
+        moving::deformed(joined({bytes({0, 8}), forms}),
+                         {moving::key_at(0, 0, own, arrival), moving::key_at(4, 0, own, own)}, 0x40);
     scene.drawings = drawings.bytes();
     const scene::Drawing half{{stroke_of(25, 20, {line_to(40, 15), line_to(30, 25), line_to(25, 20)})}};
     CHECK(picture_of(scene, Time::frame(2)) == picture_of(plain_scene(half), {}));

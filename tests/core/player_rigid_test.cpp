@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "host/compiler/write/header.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/panel_memory.hpp"
@@ -57,19 +57,19 @@ Bytes with_cache_bytes(std::string_view text, std::uint32_t bytes)
 }
 
 /// How often something is done to show a frame.
-std::uint32_t done_at(Stage& stage, int frame, Work work)
+std::uint32_t done_at(Stage& stage, int frame, Op op)
 {
-    class Tally : public WorkTally {
+    class Counter : public OpCounter {
     public:
         std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
 
-        std::array<std::uint32_t, work_kinds> all{};
-    } tally;
-    tally.counts = tally.all.data();
-    work_tally = &tally;
+        std::array<std::uint32_t, op_kinds> all{};
+    } counter;
+    counter.counts = counter.all.data();
+    op_counter = &counter;
     stage.player.show_moment(Time::frame(frame));
-    work_tally = nullptr;
-    return tally.all[static_cast<std::size_t>(work)];
+    op_counter = nullptr;
+    return counter.all[static_cast<std::size_t>(op)];
 }
 
 TEST_CASE("how much room the cache has does not change a picture")
@@ -124,7 +124,7 @@ TEST_CASE("contours that have room are not made anew in each picture")
     const std::size_t bytes = stage.player.picture().cache.bytes_in_use();
     CHECK(bytes > 0);
     Stage without_room{with_cache_bytes(mover, 0), {60, 40}};
-    CHECK(done_at(stage, 4, Work::curve) < done_at(without_room, 4, Work::curve)); // squashed: in its place
+    CHECK(done_at(stage, 4, Op::curve) < done_at(without_room, 4, Op::curve)); // squashed: in its place
     CHECK(stage.player.picture().cache.bytes_in_use() == bytes);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("drawings are read and made equal once between two keys, in any order 
     const std::string text = "kfast 1\ncanvas 40 40 frames=31\nobject o fill=red { key 0 { circle 9 9 r=4 }; "
                              "key 10 { circle 20 9 r=8 }; key 20 { circle 20 20 r=5 } }";
     Stage stage{compiled(text), {40, 40}};
-    const auto reads_at = [&stage](int frame) { return done_at(stage, frame, Work::segment); };
+    const auto reads_at = [&stage](int frame) { return done_at(stage, frame, Op::segment); };
     CHECK(reads_at(1) == 0); // they were for frame 0
     CHECK(reads_at(7) == 0);
     CHECK(reads_at(2) == 0);
@@ -144,8 +144,8 @@ TEST_CASE("drawings are read and made equal once between two keys, in any order 
     CHECK(reads_at(25) == 4);
     CHECK(reads_at(28) == 0);
     Stage without_room{with_cache_bytes(text, 0), {40, 40}};
-    CHECK(done_at(without_room, 7, Work::segment) == 8);
-    CHECK(done_at(without_room, 8, Work::segment) == 8);
+    CHECK(done_at(without_room, 7, Op::segment) == 8);
+    CHECK(done_at(without_room, 8, Op::segment) == 8);
 }
 
 }

@@ -9,22 +9,22 @@
 /// Skins put together by hand (docs/format.md, "Skins").
 namespace kfast::test {
 
-struct RawShare {
+struct RawInfluence {
     int bone = 0;
     int weight = 256; ///< of the last in a run it is not stored
-    friend bool operator==(const RawShare&, const RawShare&) = default;
+    friend bool operator==(const RawInfluence&, const RawInfluence&) = default;
 };
 
 /// Of `points` points in a row.
 struct RawRun {
     std::uint32_t points = 1;
-    std::vector<RawShare> shares;
+    std::vector<RawInfluence> shares;
 };
 
 inline Bytes run_bytes(const RawRun& run)
 {
     Bytes all = varint(4 * (run.points - 1) + static_cast<std::uint32_t>(run.shares.size()) - 1);
-    for (const RawShare& share : run.shares)
+    for (const RawInfluence& share : run.shares)
         all = joined(
             {all, &share == &run.shares.back() ? bytes({share.bone}) : bytes({share.bone, share.weight})});
     return all;
@@ -40,11 +40,11 @@ inline Bytes skin_bytes(const std::vector<RawRun>& runs, std::uint32_t at_rest =
 }
 
 /// One to four of `bones` bones; weights are 1 … 256 and add up to 256.
-inline std::vector<RawShare> random_shares(std::mt19937& random, int bones)
+inline std::vector<RawInfluence> random_shares(std::mt19937& random, int bones)
 {
-    std::vector<RawShare> shares(1 + random() % 4);
+    std::vector<RawInfluence> shares(1 + random() % 4);
     int left = 256;
-    for (RawShare& share : shares) {
+    for (RawInfluence& share : shares) {
         const int max = left - static_cast<int>(&shares.back() - &share);
         share.bone = static_cast<int>(random() % static_cast<unsigned>(bones));
         share.weight =

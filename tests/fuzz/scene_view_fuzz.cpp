@@ -96,7 +96,7 @@ void read_keys(const SceneView& scene, const ObjectView& object)
         read_drawing(scene.drawing(key.drawing));
         if (object.has_arrivals)
             read_drawing(scene.drawing(key.arrival));
-        if (object.carrier == Carrier::bones)
+        if (object.deformer == Deformer::bones)
             demand(scene.skin(key.more).is_valid());
         if (object.has_depths)
             read_drawing(scene.drawing(static_cast<std::uint32_t>(key.more)));
@@ -132,7 +132,7 @@ void read(const SceneView& scene)
             read_keys(scene, item.object);
         if (item.kind == ItemKind::live && item.live.kind == InputLeaf::label)
             read_label(scene, LabelView::of(item.live.label));
-        if (item.object.carrier == Carrier::backbones)
+        if (item.object.deformer == Deformer::backbones)
             read_backbones(scene, item.object.backbones);
     });
 }

@@ -11,7 +11,7 @@ NM, BARE, WHOLE = sys.argv[1:4]
 
 # Of each feature something that nothing else may have.
 CODE = {
-    "strokes": r"kfast::StrokeOutline::|kfast::stride_along",
+    "strokes": r"kfast::StrokeOutline::|kfast::to_polar",
     "tweens": r"kfast::(EqualizedPair|BrokenDrawing|PosedStrokes|TweenWriter)\b|kfast::trace_kept",
     "bones": r"kfast::PosedBone::pose|kfast::pose_bones|kfast::are_bones_valid|kfast::SkinReader::next",
     "backbones": r"kfast::PosedBackbones::|kfast::SceneCheck::check_backbones",

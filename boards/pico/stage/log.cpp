@@ -24,7 +24,7 @@ constinit LogBuffer buffer;          // changes with interrupts off alone
 
 void feed_uart()
 {
-    while (buffer.has_more() && uart->has_room())
+    while (buffer.has_more() && uart->can_transmit())
         uart->write(buffer.take());
     uart->interrupt_for_room(buffer.has_more());
 }

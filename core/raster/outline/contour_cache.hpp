@@ -135,7 +135,7 @@ public:
     void begin(const ContourName& name)
     {
         is_one_far_ = false;
-        cache_->begin(words_of(name), PictureCache::Coming::beside_others);
+        cache_->begin(words_of(name), PictureCache::Incoming::beside_others);
     }
     /// A contour that is simplified; `room` as in KeptContour.
     [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour, std::size_t room);

@@ -2,7 +2,7 @@
 
 #include "core/raster/outline/outline_store.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
 
@@ -50,7 +50,7 @@ const LayerOutlines* OutlineStore::reuse(LayerName name, std::uint16_t step)
     kept_ = reinterpret_cast<std::byte*>(layer + 1) - bytes_of(*layer);
     layer->step = step;
     each_chain_of(*layer, [&](Chain& chain) {
-        did(Work::kept_chain);
+        count_op(Op::kept_chain);
         chain.layer = step;
         rewind(chain);
     });

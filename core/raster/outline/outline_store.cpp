@@ -1,6 +1,6 @@
 #include "core/raster/outline/outline_store.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/outline/chain_builder.hpp"
 #include "core/raster/outline/far_contour.hpp"
 #include "core/raster/outline/grid.hpp"
@@ -92,7 +92,7 @@ void OutlineStore::begin_picture()
 void OutlineStore::begin_layer(LayerName name, std::uint16_t step)
 {
     layer_ = nullptr;
-    if (!find_room(sizeof(LayerOutlines)))
+    if (!reserve(sizeof(LayerOutlines)))
         return;
     layer_ = new (chains_ - sizeof(LayerOutlines)) LayerOutlines;
     layer_->item = name.item;
@@ -114,7 +114,7 @@ void OutlineStore::begin_contour()
     behind_ = reinterpret_cast<Corner*>(chains_);
 }
 
-bool OutlineStore::find_room(std::size_t bytes)
+bool OutlineStore::reserve(std::size_t bytes)
 {
     const auto free = static_cast<std::size_t>(reinterpret_cast<std::byte*>(behind_) -
                                                reinterpret_cast<std::byte*>(corners_end_));
@@ -131,7 +131,7 @@ bool OutlineStore::find_room(std::size_t bytes)
 
 void OutlineStore::add_behind(Corner corner)
 {
-    did(Work::corner);
+    count_op(Op::corner);
     if (corners_end_ + 1 > behind_)
         is_full_ = true;
     else
@@ -159,11 +159,11 @@ void OutlineStore::add_contour()
         layer_->fingerprint.add(std::span<const Corner>{first_corner(), corners_end_});
     const bool is_near = is_large_ ? has_short_edges(first_corner(), corners_end_) : (columns & -reach) == 0;
     std::byte* const mark = chains_;
-    if (find_room(0) && !add_runs(is_near)) {
+    if (reserve(0) && !add_runs(is_near)) {
         const CutContour cut = cut_far_contour(first_corner(), corners_end_, behind_, {-margin, 0},
                                                {panel_.width * grid + margin, panel_.height * grid});
         corners_end_ = cut.peak;
-        find_room(0);
+        reserve(0);
         corners_end_ = cut.end;
         if (cut.end == nullptr || !add_runs(false))
             is_full_ = true;
@@ -195,7 +195,7 @@ bool OutlineStore::add_runs(bool is_near)
 {
     Corner* const end = corners_end_;
     Corner* const turn = first_turn();
-    if (turn == nullptr || !find_room(sizeof(Corner) * static_cast<std::size_t>(turn + 1 - first_corner())))
+    if (turn == nullptr || !reserve(sizeof(Corner) * static_cast<std::size_t>(turn + 1 - first_corner())))
         return true;
     std::byte* const mark = chains_;
     corners_end_ = std::copy(first_corner(), turn + 1, end);
@@ -294,12 +294,12 @@ bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdi
     const auto corners = static_cast<std::size_t>((bottom - top) * step + 1);
     const std::size_t bytes = ChainBuilder::room_for(corners, top->y, bottom->y) + sizeof(Chain);
     is_full_ = is_full_ || bytes > Chain::max_bytes;
-    if (!find_room(bytes))
+    if (!reserve(bytes))
         return true;
     ChainBuilder builder;
     if (!builder.build(top, bottom, step, left, chains_))
         return false;
-    did(Work::crossing, ChainBuilder::crossing_bytes(top->y, bottom->y) / sizeof(Crossing));
+    count_op(Op::crossing, ChainBuilder::crossing_bytes(top->y, bottom->y) / sizeof(Crossing));
     rewind(put_chain(builder.memory_begin(), *top, *bottom, left, step > 0));
     return true;
 }
@@ -310,7 +310,7 @@ bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bo
     const std::int32_t bottom_x = bottom.x - left;
     if (((top_x | bottom_x) & -reach) != 0 || bottom.y - (top.y & -grid) > ChainBuilder::max_height)
         return false;
-    if (!find_room(sizeof(Chain) + sizeof(StraightLine)))
+    if (!reserve(sizeof(Chain) + sizeof(StraightLine)))
         return true;
     auto* const line = new (chains_ - sizeof(StraightLine)) StraightLine;
     line->top = static_cast<Crossing>(top_x);
@@ -327,7 +327,7 @@ Chain& OutlineStore::put_chain(std::byte* end, Corner top, Corner bottom, std::i
 {
     const std::byte* const above = chains_;
     end_chains_at(end - sizeof(Chain));
-    did(Work::chain);
+    count_op(Op::chain);
     auto* const chain = new (chains_) Chain;
     chain->top = top.y;
     chain->bottom = bottom.y;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/point.hpp"
 #include "core/raster/outline/chain.hpp"
 #include "core/raster/outline/contour_cache.hpp"
@@ -48,7 +48,7 @@ public:
     /// followed. Nothing else is added before close().
     void add(Corner corner)
     {
-        did(Work::corner);
+        count_op(Op::corner);
         if (corners_end_ + 1 > behind_)
             is_full_ = true;
         else
@@ -133,7 +133,7 @@ private:
     LayerOutlines* kept_layer(LayerName name) const;
     void begin_picture();
     void begin_contour();
-    bool find_room(std::size_t bytes);
+    bool reserve(std::size_t bytes);
     void place_corners();
     void add_contour();
     Corner* first_corner() const { return reinterpret_cast<Corner*>(bytes_); }

@@ -3,7 +3,7 @@
 #include "core/raster/outline/outline_store.hpp"
 #include "core/raster/outline/simplify.hpp"
 
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 
 namespace kfast::raster {
 
@@ -27,8 +27,8 @@ void OutlineStore::end_placed()
 
 void OutlineStore::add(const KeptContour& contour)
 {
-    did(Work::placed_corner, static_cast<std::uint32_t>(contour.corners.size()));
-    if (!find_room(contour.room * sizeof(Corner)))
+    count_op(Op::placed_corner, static_cast<std::uint32_t>(contour.corners.size()));
+    if (!reserve(contour.room * sizeof(Corner)))
         return begin_contour();
     const CornerMap map = *map_;
     Corner* end = corners_end_;
@@ -43,11 +43,11 @@ void OutlineStore::place_corners()
 {
     if (cache_ != nullptr) {
         const auto room = static_cast<std::size_t>(corners_end_ - first_corner());
-        find_room(0);
+        reserve(0);
         corners_end_ = simplify(first_corner(), corners_end_);
         cache_->add(std::span<const Corner>{first_corner(), corners_end_}, room);
     }
-    did(Work::placed_corner, static_cast<std::uint32_t>(corners_end_ - first_corner()));
+    count_op(Op::placed_corner, static_cast<std::uint32_t>(corners_end_ - first_corner()));
     for (Corner* corner = first_corner(); corner != corners_end_; ++corner)
         *corner = (*map_)(*corner);
 }

@@ -1,7 +1,7 @@
 #include "core/raster/outline/stroke_outline.hpp"
 
 #include "core/bytes/function_ref.hpp"
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/math/angle.hpp"
 #include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
@@ -88,12 +88,12 @@ Point meeting(Point a, Point b, std::uint32_t rest)
     return {of(a.x, b.x), of(a.y, b.y)};
 }
 
-std::int32_t cosine_between(Heading a, Heading b) { return a.x * b.x + a.y * b.y; }
-std::int32_t sine_between(Heading a, Heading b) { return a.x * b.y - a.y * b.x; }
+std::int32_t cosine_between(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
+std::int32_t sine_between(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
 
 /// 1 + cos of the angle between two headings, in Q30. Near a full turn back the cosine is too coarse; 1 + cos
 /// is half the square of the sum of the vectors.
-std::uint32_t rest_of_turn(Heading a, Heading b, std::int32_t cosine)
+std::uint32_t rest_of_turn(Direction a, Direction b, std::int32_t cosine)
 {
     if (cosine >= 0)
         return static_cast<std::uint32_t>(one_q30) + static_cast<std::uint32_t>(cosine);
@@ -200,12 +200,12 @@ void StrokeOutline::end_stroke(bool is_closed)
 
 StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
 {
-    did(Work::pen_piece);
-    const auto [heading, length] = stride_along(step);
+    count_op(Op::pen_piece);
+    const auto [direction, length] = to_polar(step);
     const auto half_width_times = [this](std::int32_t unit) {
         return Fixed::from_raw(multiply_q16(pen_.half_width.raw(), 2 * unit));
     };
-    return {heading, length, {half_width_times(-heading.y), half_width_times(heading.x)}};
+    return {direction, length, {half_width_times(-direction.y), half_width_times(direction.x)}};
 }
 
 /// Tips, and sides of strokes at the border of what is held, would lie further out than Fixed can subtract.
@@ -221,8 +221,9 @@ void StrokeOutline::add(Side side, Point at)
 void StrokeOutline::join(const Piece& after)
 {
     const Piece& before = last_piece_;
-    const std::int32_t cosine = std::clamp(cosine_between(before.heading, after.heading), -one_q30, one_q30);
-    const std::int32_t sine = sine_between(before.heading, after.heading);
+    const std::int32_t cosine =
+        std::clamp(cosine_between(before.direction, after.direction), -one_q30, one_q30);
+    const std::int32_t sine = sine_between(before.direction, after.direction);
     if (sine == 0 && cosine > 0)
         return;
     const bool turns_right = sine >= 0;
@@ -230,7 +231,7 @@ void StrokeOutline::join(const Piece& after)
                     .from = turns_right ? before.side : -before.side,
                     .to = turns_right ? after.side : -after.side,
                     .cosine = cosine,
-                    .rest = rest_of_turn(before.heading, after.heading, cosine)};
+                    .rest = rest_of_turn(before.direction, after.direction, cosine)};
     const bool is_slight = cosine >= one_q30 - slight_bend_;
     const bool sides_meet = bend.crosses_within(std::min(before.length, after.length), is_slight);
     const bool has_tip = is_slight || has_miter(bend.rest);
@@ -239,7 +240,7 @@ void StrokeOutline::join(const Piece& after)
         tip = slight_meeting(bend.from, bend.to, one_q30 - cosine);
     else if (sides_meet || has_tip)
         tip = meeting(bend.from, bend.to, bend.rest);
-    did(is_slight ? Work::slight_bend : Work::bend);
+    count_op(is_slight ? Op::slight_bend : Op::bend);
     if (sides_meet)
         add(bend.inner, last_ + tip);
     else

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/heading.hpp"
+#include "core/math/direction.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/outline_store.hpp"
 
@@ -50,7 +50,7 @@ private:
     enum class Side : std::uint8_t { right, left };
 
     struct Piece {
-        Heading heading;
+        Direction direction;
         std::uint32_t length = 0; ///< in 1/65536 px
         Point side;               ///< half a width to its right
     };

@@ -39,7 +39,7 @@ bool are_pairs_valid(const LabelView& label)
     return true;
 }
 
-bool finds_room(const LabelView& label, const TextInput& text)
+bool fits(const LabelView& label, const TextInput& text)
 {
     if (!is_width(label.spacing))
         return false;
@@ -54,8 +54,7 @@ bool finds_room(const LabelView& label, const TextInput& text)
 bool is_label_valid(const LabelView& label, const TextInput& text)
 {
     return label.is_whole && label.glyph_count == text.glyphs.count() && label.align <= Align::right &&
-           is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) &&
-           finds_room(label, text);
+           is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) && fits(label, text);
 }
 
 }

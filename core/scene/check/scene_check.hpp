@@ -140,7 +140,7 @@ private:
     bool check_drawing(std::uint32_t offset);
     bool check_points(std::uint32_t offset, CheckedDrawing& checked);
     bool check_drawings(const ObjectView& object, const Key& key, std::uint32_t bones);
-    bool check_carrier(const ObjectView& object);
+    bool check_deformer(const ObjectView& object);
     bool is_moment(Driver driver, Time time) const;
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
 

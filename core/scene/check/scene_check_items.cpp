@@ -26,12 +26,12 @@ std::uint32_t instructions_per_point(const ItemView& item)
 {
     constexpr std::uint32_t seen_in_perspective = 1024;
     constexpr std::uint32_t bent = 768;
-    constexpr std::uint32_t carried = 256;
+    constexpr std::uint32_t deformed = 256;
     if (item.object.has_depths)
         return seen_in_perspective;
-    if (item.object.carrier == Carrier::backbones)
+    if (item.object.deformer == Deformer::backbones)
         return bent;
-    return item.object.carrier == Carrier::bones ? carried : 0;
+    return item.object.deformer == Deformer::bones ? deformed : 0;
 }
 
 }

@@ -12,7 +12,7 @@ namespace {
 /// How many bones the skeleton has that carries `object`; 0 if there is none.
 std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
 {
-    if (object.carrier != Carrier::bones)
+    if (object.deformer != Deformer::bones)
         return 0;
     SkeletonCursor skeletons = scene.skeletons();
     std::uint32_t bones = 0;
@@ -41,7 +41,7 @@ bool is_within(const Segment& segment)
 bool is_valid(const Binding& binding, std::uint32_t bones)
 {
     bool sound = true;
-    binding.each([&](BoneShare share) { sound = sound && share.bone < bones && share.weight >= 1; });
+    binding.each([&](BoneInfluence share) { sound = sound && share.bone < bones && share.weight >= 1; });
     return sound;
 }
 
@@ -65,7 +65,7 @@ bool is_valid(const Binding& binding, std::uint32_t bones)
 bool SceneCheck::check_object(const ObjectView& object)
 {
     const bool is_filled_wire = object.has_depths && object.style.is_filled;
-    return !is_filled_wire && check_style(object.style) && check_carrier(object) && check_keys(object);
+    return !is_filled_wire && check_style(object.style) && check_deformer(object) && check_keys(object);
 }
 
 bool SceneCheck::check_style(const ObjectStyle& style)
@@ -109,7 +109,7 @@ bool SceneCheck::check_drawings(const ObjectView& object, const Key& key, std::u
 {
     if (!check_drawing(key.drawing))
         return false;
-    if (object.carrier == Carrier::bones &&
+    if (object.deformer == Deformer::bones &&
         (!needs(Feature::bones) || !scene_.features().bones->check_skin(*this, key, bones)))
         return false;
     return !object.has_depths || (needs(Feature::wires) && scene_.features().wires->check(*this, key));
@@ -148,15 +148,15 @@ bool SceneCheck::check_points(std::uint32_t offset, CheckedDrawing& checked)
     return reader.is_valid();
 }
 
-bool SceneCheck::check_carrier(const ObjectView& object)
+bool SceneCheck::check_deformer(const ObjectView& object)
 {
-    switch (object.carrier) {
-    case Carrier::none:
+    switch (object.deformer) {
+    case Deformer::none:
         return true;
-    case Carrier::backbones:
+    case Deformer::backbones:
         return needs(Feature::backbones) && needs(Feature::tweens) &&
                scene_.features().backbones->check(*this, object.backbones);
-    case Carrier::bones:
+    case Deformer::bones:
         return !object.has_arrivals && may_read(object.skeleton) && bones_of(scene_, object) != 0;
     }
     return false;

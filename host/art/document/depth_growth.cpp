@@ -27,17 +27,17 @@ double farthest(Range range, double from)
 
 bool has_depth(const Document& document) { return has_depth(document.nodes); }
 
-double perspective_growth(const Document& document, const Extent& all)
+double perspective_scale_factor(const Document& document, const Extent& all)
 {
     if (all.empty() || !has_depth(document))
         return 1;
     // As docs/scene-language.md has it: seen camera / (camera - z) times as large, and no nearer than that.
     constexpr double nearest = 15.0 / 16;
     const double camera = document.camera.value_or(2 * std::max(document.width, document.height));
-    const double growth = camera / (camera - std::clamp(all.z.high, 0.0, nearest * camera));
+    const double scale_factor = camera / (camera - std::clamp(all.z.high, 0.0, nearest * camera));
     const double away = std::hypot(farthest(all.x, document.width / 2), farthest(all.y, document.height / 2));
     // A motion across the canvas grows by that; one towards the viewer moves what is far from the middle.
-    return growth * (1 + away * growth / camera);
+    return scale_factor * (1 + away * scale_factor / camera);
 }
 
 }

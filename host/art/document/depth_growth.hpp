@@ -9,6 +9,6 @@ bool has_depth(const Document& document);
 
 /// By how much the perspective makes motions larger at most, those towards the viewer included; at least 1.
 /// `all` is what the document has before its perspective.
-double perspective_growth(const Document& document, const Extent& all);
+double perspective_scale_factor(const Document& document, const Extent& all);
 
 }

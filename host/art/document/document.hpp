@@ -39,21 +39,21 @@ struct Fill {
 };
 
 /// Along a drawing.
-struct Line {
+struct StrokeStyle {
     Animated<Rgb> colour;
     Channel opacity = {1};
     Channel width = {1};
     Cap cap = Cap::butt;
     Join join = Join::miter;
     double miter_limit = 4; ///< in widths
-    friend bool operator==(const Line&, const Line&) = default;
+    friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
 };
 
 /// How far a point follows a bone.
-struct BoneShare {
+struct BoneInfluence {
     std::size_t bone = 0; ///< index into Rig::bones
     double weight = 0;    ///< above 0; only what they are to each other matters
-    friend bool operator==(const BoneShare&, const BoneShare&) = default;
+    friend bool operator==(const BoneInfluence&, const BoneInfluence&) = default;
 };
 
 /// What bones carry a figure.
@@ -61,19 +61,19 @@ struct Skin {
     std::size_t rig = 0; ///< index into Document::rigs
     /// For each point of the first drawing, as the scene language counts them: where an outline begins, and
     /// where its curves end but for the closing point. At most four each, at least one.
-    std::vector<std::vector<BoneShare>> points;
+    std::vector<std::vector<BoneInfluence>> points;
     bool turns_changes = false; ///< what later drawings change turns with the bones
     friend bool operator==(const Skin&, const Skin&) = default;
 };
 
 /// Something drawn: has a fill or a line or both, the line over the fill.
-struct Figure {
+struct Shape {
     Animated<Drawing> drawing;
     std::optional<Fill> fill;
-    std::optional<Line> line;
+    std::optional<StrokeStyle> stroke;
     std::optional<Skin> skin;
     bool matches_length = false; ///< where forms differ, points meet by arc length rather than by count
-    friend bool operator==(const Figure&, const Figure&) = default;
+    friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 struct Node;
@@ -127,7 +127,7 @@ struct Node {
     /// Not 0: neighbours with the same number are one group, written for each of its members because others
     /// may lie between them (a parent in Lottie). Their transforms are the same.
     std::size_t parent_tag = 0;
-    std::variant<Figure, Group> content;
+    std::variant<Shape, Group> content;
 };
 
 bool operator==(const Node& left, const Node& right);
@@ -140,7 +140,7 @@ struct Bone {
     std::optional<std::size_t> parent; ///< index of an earlier bone
     scene::Vec2 from;                  ///< as set up
     scene::Vec2 to;                    ///< not `from`
-    Channel turn = {0};                ///< from the direction as set up
+    Channel rotation = {0};            ///< from the direction as set up
     Channel x = {0};                   ///< of where it begins, from there as set up, in directions as set up
     Channel y = {0};
     std::optional<Channel> length; ///< in pixels; as set up without it

@@ -20,24 +20,24 @@ void every_animation(Transform& transform, Visit&& visit)
 }
 
 template <typename Visit>
-void every_animation(Figure& figure, Visit&& visit)
+void every_animation(Shape& shape, Visit&& visit)
 {
-    visit(figure.drawing);
-    if (figure.fill) {
-        visit(figure.fill->colour);
-        visit(figure.fill->opacity);
+    visit(shape.drawing);
+    if (shape.fill) {
+        visit(shape.fill->colour);
+        visit(shape.fill->opacity);
     }
-    if (figure.line) {
-        visit(figure.line->colour);
-        visit(figure.line->opacity);
-        visit(figure.line->width);
+    if (shape.stroke) {
+        visit(shape.stroke->colour);
+        visit(shape.stroke->opacity);
+        visit(shape.stroke->width);
     }
 }
 
 template <typename Visit>
 void every_animation(Bone& bone, Visit&& visit)
 {
-    for (Channel* channel : {&bone.turn, &bone.x, &bone.y})
+    for (Channel* channel : {&bone.rotation, &bone.x, &bone.y})
         visit(*channel);
     if (bone.length)
         visit(*bone.length);

@@ -62,11 +62,11 @@ Extent extent_of(const Drawing& drawing)
 }
 
 /// How far beyond its drawing a figure's line is seen.
-double line_reach(const Line& line)
+double stroke_reach(const StrokeStyle& stroke)
 {
-    const double widths = line.join == Join::miter ? std::max(line.miter_limit, std::numbers::sqrt2)
-                                                   : std::numbers::sqrt2; // corners of square caps
-    return 0.5 * greatest(line.width) * widths;
+    const double widths = stroke.join == Join::miter ? std::max(stroke.miter_limit, std::numbers::sqrt2)
+                                                     : std::numbers::sqrt2; // corners of square caps
+    return 0.5 * greatest(stroke.width) * widths;
 }
 
 /// Bones keep what they carry within the sum of all their lengths and ways.
@@ -143,19 +143,19 @@ Range range_of(const Channel& channel)
 
 double greatest(const Channel& channel) { return greatest(range_of(channel)); }
 
-Extent extent_of(const Figure& figure, std::span<const Rig> rigs)
+Extent extent_of(const Shape& shape, std::span<const Rig> rigs)
 {
     Extent extent;
-    for (const auto& key : figure.drawing.keys)
+    for (const auto& key : shape.drawing.keys)
         extent.take(extent_of(key.value));
     if (extent.empty())
         return extent;
-    const double overshoot = overshoot_of(figure.drawing);
+    const double overshoot = overshoot_of(shape.drawing);
     double beyond = overshoot * std::max(extent.x.high - extent.x.low, extent.y.high - extent.y.low);
-    if (figure.line)
-        beyond += line_reach(*figure.line);
-    if (figure.skin && figure.skin->rig < rigs.size()) {
-        const Rig& rig = rigs[figure.skin->rig];
+    if (shape.stroke)
+        beyond += stroke_reach(*shape.stroke);
+    if (shape.skin && shape.skin->rig < rigs.size()) {
+        const Rig& rig = rigs[shape.skin->rig];
         const double reach = rig_reach(rig, {widened(extent.x, beyond), widened(extent.y, beyond), {}});
         const Vec2 root = rig.bones.front().from;
         return {{root.x - reach, root.x + reach}, {root.y - reach, root.y + reach}, {0, 0}};
@@ -173,16 +173,17 @@ double reach_of(const Extent& content, const Transform& transform)
     return std::sqrt(x * x + y * y + z * z);
 }
 
-double skew_growth(const Transform& transform)
+double skew_scale_factor(const Transform& transform)
 {
     const double degrees = std::min(greatest(transform.skew), steepest_skew);
     return 1 + std::tan(degrees * std::numbers::pi / 180);
 }
 
-double growth_of(const Transform& transform)
+double scale_factor_of(const Transform& transform)
 {
     constexpr double min = 1e-6;
-    return std::max({min, greatest(transform.scale_x), greatest(transform.scale_y)}) * skew_growth(transform);
+    return std::max({min, greatest(transform.scale_x), greatest(transform.scale_y)}) *
+           skew_scale_factor(transform);
 }
 
 double play_range_of(const Rig& rig)
@@ -206,11 +207,11 @@ Extent placed(const Extent& content, const Transform& transform)
             product(transform.scale_x.value(), difference(content.x, range_of(transform.anchor_x)));
         const Range along =
             product(transform.scale_y.value(), difference(content.y, range_of(transform.anchor_y)));
-        const Affine turn = turned(transform.rotate.value());
-        return {sum(x, sum(product(turn.a, across), product(turn.c, along))),
-                sum(y, sum(product(turn.b, across), product(turn.d, along))), sum(z, content.z)};
+        const Affine rotation = turned(transform.rotate.value());
+        return {sum(x, sum(product(rotation.a, across), product(rotation.c, along))),
+                sum(y, sum(product(rotation.b, across), product(rotation.d, along))), sum(z, content.z)};
     }
-    const double reach = reach_of(content, transform) * std::max(1.0, growth_of(transform));
+    const double reach = reach_of(content, transform) * std::max(1.0, scale_factor_of(transform));
     const double depth = turns_in_space(transform) ? reach : 0;
     return {widened(x, reach), widened(y, reach), widened(sum(z, content.z), depth)};
 }

@@ -33,7 +33,7 @@ Range range_of(const Channel& channel);
 double greatest(const Channel& channel);
 
 /// Of what a figure draws, its line included, in its own coordinates.
-Extent extent_of(const Figure& figure, std::span<const Rig> rigs);
+Extent extent_of(const Shape& shape, std::span<const Rig> rigs);
 
 /// Of content after the transform.
 Extent placed(const Extent& content, const Transform& transform);
@@ -42,10 +42,10 @@ Extent placed(const Extent& content, const Transform& transform);
 double reach_of(const Extent& content, const Transform& transform);
 
 /// By how much the transform makes distances larger at most; above 0.
-double growth_of(const Transform& transform);
+double scale_factor_of(const Transform& transform);
 
 /// Likewise of its skew alone; at least 1.
-double skew_growth(const Transform& transform);
+double skew_scale_factor(const Transform& transform);
 
 /// By how much the bones of the rig make distances larger at most; at least 1.
 double play_range_of(const Rig& rig);

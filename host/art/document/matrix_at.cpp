@@ -32,11 +32,11 @@ Affine place_at(const Transform& transform, double time)
 Affine shape_at(const Transform& transform, double time)
 {
     const double skew = transform.skew.at(time);
-    const Affine lean =
-        skew != 0 ? leant(std::clamp(skew, -steepest_skew, steepest_skew), transform.skew_axis.at(time))
+    const Affine skewing =
+        skew != 0 ? skewed(std::clamp(skew, -steepest_skew, steepest_skew), transform.skew_axis.at(time))
                   : Affine{};
     return turned(transform.rotate.at(time)) * grown(transform.scale_x.at(time), transform.scale_y.at(time)) *
-           lean;
+           skewing;
 }
 
 Affine matrix_at(const Transform& transform, double time)

@@ -31,7 +31,7 @@ Affine turned(double degrees)
     return {cosine, sine, -sine, cosine, 0, 0};
 }
 
-Affine leant(double degrees, double axis)
+Affine skewed(double degrees, double axis)
 {
     return turned(-axis) * Affine{1, 0, -std::tan(degrees * std::numbers::pi / 180), 1, 0, 0} * turned(axis);
 }

@@ -41,6 +41,6 @@ constexpr Affine grown(double x, double y) { return {x, 0, 0, y, 0, 0}; }
 /// Clockwise on the screen.
 Affine turned(double degrees);
 /// As a Transform leans: turned by the axis, sheared so that what lies higher goes to the right, turned back.
-Affine leant(double degrees, double axis);
+Affine skewed(double degrees, double axis);
 
 }

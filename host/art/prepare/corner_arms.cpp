@@ -25,8 +25,8 @@ CubicPiece piece(const Outline& outline, std::size_t index)
 /// Collects the arms of one outline in all keys.
 class OutlineArms {
 public:
-    OutlineArms(const Animated<Drawing>& drawing, std::size_t outline, double corner_growth)
-        : drawing_{drawing}, outline_{outline}, corner_growth_{corner_growth}, tweens_{tweens_of(drawing)}
+    OutlineArms(const Animated<Drawing>& drawing, std::size_t outline, double corner_factor)
+        : drawing_{drawing}, outline_{outline}, corner_factor_{corner_factor}, tweens_{tweens_of(drawing)}
     {
     }
 
@@ -47,10 +47,10 @@ public:
         }
     }
 
-    void add_ends(double growth, std::vector<CornerArm>& arms) const
+    void add_ends(double factor, std::vector<CornerArm>& arms) const
     {
-        arms.push_back({setting_out(0), growth});
-        arms.push_back({arriving(form().curves.size() - 1), growth});
+        arms.push_back({setting_out(0), factor});
+        arms.push_back({arriving(form().curves.size() - 1), factor});
     }
 
 private:
@@ -79,34 +79,34 @@ private:
         if (greatest_turn(before, behind, tweens_) <= smooth_turn)
             return;
         // Both may turn.
-        arms.push_back({std::move(before), 2 * corner_growth_});
-        arms.push_back({std::move(behind), 2 * corner_growth_});
+        arms.push_back({std::move(before), 2 * corner_factor_});
+        arms.push_back({std::move(behind), 2 * corner_factor_});
     }
 
     const Animated<Drawing>& drawing_;
     std::size_t outline_;
-    double corner_growth_;
+    double corner_factor_;
     std::vector<TweenRange> tweens_;
 };
 
 }
 
-std::vector<CornerArm> corner_arms(const Figure& figure)
+std::vector<CornerArm> corner_arms(const Shape& shape)
 {
     std::vector<CornerArm> arms;
-    if (!figure.line)
+    if (!shape.stroke)
         return arms;
-    const Line& line = *figure.line;
-    const double longest = line.join == Join::miter ? std::max(1.0, line.miter_limit) : 1;
-    const Drawing& form = figure.drawing.keys.front().value;
+    const StrokeStyle& stroke = *shape.stroke;
+    const double longest = stroke.join == Join::miter ? std::max(1.0, stroke.miter_limit) : 1;
+    const Drawing& form = shape.drawing.keys.front().value;
     for (std::size_t i = 0; i < form.outlines.size(); ++i) {
         if (form.outlines[i].curves.empty())
             continue;
-        const OutlineArms outline{figure.drawing, i, longest * longest};
-        if (line.join != Join::round)
+        const OutlineArms outline{shape.drawing, i, longest * longest};
+        if (stroke.join != Join::round)
             outline.add_corners(arms);
-        if (line.cap != Cap::round && !form.outlines[i].closed)
-            outline.add_ends(line.cap == Cap::square ? std::numbers::sqrt2 : 1, arms);
+        if (stroke.cap != Cap::round && !form.outlines[i].closed)
+            outline.add_ends(stroke.cap == Cap::square ? std::numbers::sqrt2 : 1, arms);
     }
     return arms;
 }
@@ -116,7 +116,7 @@ double corner_motion(std::span<const CornerArm> arms, std::span<const TweenRange
     double max = 1;
     for (const CornerArm& arm : arms)
         // It turns by at most twice the motion divided by its length.
-        max = std::max(max, 1 + 2 * arm.growth * half_width / shortest(arm.directions, tweens));
+        max = std::max(max, 1 + 2 * arm.factor * half_width / shortest(arm.directions, tweens));
     return max;
 }
 

@@ -106,8 +106,8 @@ void crop(Node& node, const std::string& place, const Document& document, Losses
     node.shown = cropped(node.shown, document);
     cut(node.opacity);
     every_animation(node.transform, cut);
-    if (auto* figure = std::get_if<Figure>(&node.content))
-        every_animation(*figure, cut);
+    if (auto* shape = std::get_if<Shape>(&node.content))
+        every_animation(*shape, cut);
     if (cut.shortened())
         losses.add({"a drawing on its way, before the scene begins, to one of other form", place, 0,
                     "the way begins at 0"});

@@ -261,7 +261,7 @@ private:
                 stray(old_bend * scene::distance(arm.directions[at.key], arm.directions[at.key + 1]),
                       before) +
                 stray(new_bend * scene::distance(arm.directions[at.begin], arm.directions[at.end]), now);
-            return edge_.half_width * arm.growth * turn <= edge_.tolerance;
+            return edge_.half_width * arm.factor * turn <= edge_.tolerance;
         });
     }
 

@@ -8,6 +8,6 @@ namespace kfast::art {
 /// segments where all keys allow it. The number of segments is the same in all keys afterwards. Nothing is
 /// done to a drawing whose keys have different forms, nor to one with a skin, which has weights for its
 /// points.
-void merge_curves(Figure& figure, double tolerance);
+void merge_curves(Shape& shape, double tolerance);
 
 }

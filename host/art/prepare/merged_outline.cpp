@@ -132,8 +132,8 @@ bool MergedOutline::is_straight(std::size_t segment) const
         }
     }
     const auto chords = directions(segment, &CubicPiece::chord);
-    return turns_little(directions(segment, &CubicPiece::first_direction), chords, edge_.corner_growth) &&
-           turns_little(directions(segment, &CubicPiece::last_direction), chords, edge_.corner_growth);
+    return turns_little(directions(segment, &CubicPiece::first_direction), chords, edge_.corner_factor) &&
+           turns_little(directions(segment, &CubicPiece::last_direction), chords, edge_.corner_factor);
 }
 
 template <typename Direction>
@@ -148,11 +148,11 @@ std::vector<Vec2> MergedOutline::directions(std::size_t segment, const Direction
 
 /// Two arms of a corner may turn by that, and each of them once when it gets straight and once when it is
 /// merged: a quarter of the tolerance each.
-bool MergedOutline::turns_little(std::span<const Vec2> before, std::span<const Vec2> now, double growth) const
+bool MergedOutline::turns_little(std::span<const Vec2> before, std::span<const Vec2> now, double factor) const
 {
     if (!has_edge())
         return true;
-    return edge_.half_width * growth * greatest_turn(before, now, tweens_) <= edge_.tolerance / 4;
+    return edge_.half_width * factor * greatest_turn(before, now, tweens_) <= edge_.tolerance / 4;
 }
 
 void MergedOutline::find_joins()
@@ -334,7 +334,7 @@ bool MergedOutline::keeps_ends(const Run& run) const
 double MergedOutline::end_growth(std::size_t segment) const
 {
     constexpr double smooth_growth = 1.25;
-    return segment < count() && widths_[segment] > 0 ? smooth_growth : edge_.corner_growth;
+    return segment < count() && widths_[segment] > 0 ? smooth_growth : edge_.corner_factor;
 }
 
 }

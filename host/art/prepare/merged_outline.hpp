@@ -15,7 +15,7 @@ namespace kfast::art {
 /// one with corners or ends that show them.
 struct OutlineEdge {
     double half_width = 0;
-    double corner_growth = 1; ///< how far a tip may go when its arm turns, in half widths times radians
+    double corner_factor = 1; ///< how far a tip may go when its arm turns, in half widths times radians
     double tolerance = 0;
 };
 
@@ -64,7 +64,7 @@ private:
                       Handles handles) const;
     bool keeps_ends(const Run& run) const;
     bool turns_little(std::span<const scene::Vec2> before, std::span<const scene::Vec2> now,
-                      double growth) const;
+                      double factor) const;
     double end_growth(std::size_t segment) const;
     int saved(const Run& run) const;
     bool has_edge() const { return edge_.half_width > 0; }

@@ -48,10 +48,10 @@ public:
     void operator()(Node& node) const
     {
         (*this)(node.transform);
-        if (auto* figure = std::get_if<Figure>(&node.content)) {
-            (*this)(figure->drawing);
-            if (figure->line)
-                (*this)(figure->line->width);
+        if (auto* shape = std::get_if<Shape>(&node.content)) {
+            (*this)(shape->drawing);
+            if (shape->stroke)
+                (*this)(shape->stroke->width);
         }
     }
 

@@ -32,8 +32,8 @@ void every_ease(Document& document, Visit&& visit)
     every_node(document.nodes, [&](Node& node, const std::string&) {
         every_animation(node.transform, look_at);
         look_at(node.opacity);
-        if (auto* figure = std::get_if<Figure>(&node.content))
-            every_animation(*figure, look_at);
+        if (auto* shape = std::get_if<Shape>(&node.content))
+            every_animation(*shape, look_at);
     });
     for (Rig& rig : document.rigs)
         for (Bone& bone : rig.bones)

@@ -63,9 +63,9 @@ std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const R
 Measured measured(const Node& node, std::span<const Rig> rigs, int depth)
 {
     Measured result;
-    if (const auto* figure = std::get_if<Figure>(&node.content)) {
-        result.content = extent_of(*figure, rigs);
-        result.channels = figure->line ? moves(figure->line->width) : 0;
+    if (const auto* shape = std::get_if<Shape>(&node.content)) {
+        result.content = extent_of(*shape, rigs);
+        result.channels = shape->stroke ? moves(shape->stroke->width) : 0;
     } else {
         const auto& nodes = std::get<Group>(node.content).nodes;
         result.inner = measured(nodes, rigs, depth + 1);
@@ -108,8 +108,8 @@ std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const R
 
 /// What is around a node.
 struct Around {
-    double growth = 1; ///< what is a pixel of it is at most so many on the canvas
-    int channels = 0;  ///< that move it
+    double scale_factor = 1; ///< what is a pixel of it is at most so many on the canvas
+    int channels = 0;        ///< that move it
 };
 
 /// Keys that are nearly equal become so: what stands still or comes again is stored once.
@@ -126,9 +126,9 @@ void make_equal(Animated<Drawing>& drawing, double tolerance)
             }
 }
 
-bool has_corners(const std::optional<Line>& line)
+bool has_corners(const std::optional<StrokeStyle>& stroke)
 {
-    return line && (line->join != Join::round || line->cap != Cap::round);
+    return stroke && (stroke->join != Join::round || stroke->cap != Cap::round);
 }
 
 /// Not too short.
@@ -164,7 +164,7 @@ private:
     /// A simplified transform, and by how much it makes things larger.
     struct Placing {
         Transform transform;
-        double growth;
+        double scale_factor;
     };
     using Tagged = std::map<std::size_t, Placing>;
 
@@ -173,90 +173,92 @@ private:
         const int channels = around.channels + of.channels;
         const double share = channels > 0 ? tolerance_ / 2 / channels : 0;
         const int moving = around.channels + moving_channels(node.transform);
-        const double growth = around.growth * place(node, of.content, share / around.growth, tagged);
+        const double scale_factor =
+            around.scale_factor * place(node, of.content, share / around.scale_factor, tagged);
         leave_out_keys(node.opacity, opacity_tolerance, eases_);
         if (auto* group = std::get_if<Group>(&node.content))
-            simplify(group->nodes, of.inner, {growth, moving});
+            simplify(group->nodes, of.inner, {scale_factor, moving});
         else
-            simplify(std::get<Figure>(node.content), share / growth,
-                     (channels > 0 ? tolerance_ / 2 : tolerance_) / growth);
+            simplify(std::get<Shape>(node.content), share / scale_factor,
+                     (channels > 0 ? tolerance_ / 2 : tolerance_) / scale_factor);
     }
 
     double place(Node& node, const Extent& content, double share, Tagged& tagged)
     {
         if (const auto done = tagged.find(node.parent_tag); done != tagged.end()) {
             node.transform = done->second.transform;
-            return done->second.growth;
+            return done->second.scale_factor;
         }
-        const double growth = simplify(node.transform, content, share);
+        const double scale_factor = simplify(node.transform, content, share);
         if (node.parent_tag != 0)
-            tagged.insert({node.parent_tag, {node.transform, growth}});
-        return growth;
+            tagged.insert({node.parent_tag, {node.transform, scale_factor}});
+        return scale_factor;
     }
 
     /// `share` is in pixels around the node. Returns by how much the transform makes things larger.
     double simplify(Transform& transform, const Extent& content, double share)
     {
-        const double before = growth_of(transform);
+        const double before = scale_factor_of(transform);
         // What is inside may have moved by its own share of the tolerance.
         const double reach = std::max(1.0, reach_of(content, transform) + tolerance_ / before);
-        const double scale = share / (reach * skew_growth(transform));
-        const double growth = std::max(before + scale * skew_growth(transform), deep_ ? 1.0 : 0.0);
-        const double degrees = share / (reach * growth) * 180 / std::numbers::pi;
+        const double scale = share / (reach * skew_scale_factor(transform));
+        const double scale_factor =
+            std::max(before + scale * skew_scale_factor(transform), deep_ ? 1.0 : 0.0);
+        const double degrees = share / (reach * scale_factor) * 180 / std::numbers::pi;
         const auto leave_out = [&](std::initializer_list<Channel*> channels, double tolerance) {
             for (Channel* channel : channels)
                 leave_out_keys(*channel, tolerance, eases_);
         };
         leave_out({&transform.x, &transform.y, &transform.z}, share);
-        leave_out({&transform.anchor_x, &transform.anchor_y}, share / growth);
+        leave_out({&transform.anchor_x, &transform.anchor_y}, share / scale_factor);
         leave_out({&transform.scale_x, &transform.scale_y}, scale);
         leave_out({&transform.rotate, &transform.rotate_x, &transform.rotate_y}, degrees);
         leave_out({&transform.skew, &transform.skew_axis}, 0);
         if (transform.path)
             leave_out({&transform.path->share}, share / way_length(*transform.path));
-        return growth;
+        return scale_factor;
     }
 
     /// In the figure's own pixels: of one of its channels, and of its drawing.
-    void simplify(Figure& figure, double share, double drawing_share)
+    void simplify(Shape& shape, double share, double drawing_share)
     {
-        if (figure.fill)
-            simplify(*figure.fill);
-        if (figure.line)
-            simplify(*figure.line, share);
-        if (figure.skin && figure.skin->rig < rigs_.size())
-            drawing_share /= play_range_of(rigs_[figure.skin->rig]);
-        simplify_drawing(figure, drawing_share);
+        if (shape.fill)
+            simplify(*shape.fill);
+        if (shape.stroke)
+            simplify(*shape.stroke, share);
+        if (shape.skin && shape.skin->rig < rigs_.size())
+            drawing_share /= play_range_of(rigs_[shape.skin->rig]);
+        simplify_drawing(shape, drawing_share);
     }
 
     /// Each stretch of keys of one form by itself; where the player tweens from one form to another, what it
     /// does depends on their segments, and these stay.
-    void simplify_drawing(Figure& figure, double share)
+    void simplify_drawing(Shape& shape, double share)
     {
-        auto keys = std::move(figure.drawing.keys);
+        auto keys = std::move(shape.drawing.keys);
         std::vector<Key<Drawing>> done;
         for (auto begin = keys.begin(); begin != keys.end();) {
             const auto end = std::find_if(
                 begin, keys.end(), [&](const auto& key) { return !same_form(begin->value, key.value); });
             const bool jumps_in = begin == keys.begin() || std::prev(begin)->ease.kind == EaseKind::hold;
             const bool jumps_out = end == keys.end() || std::prev(end)->ease.kind == EaseKind::hold;
-            figure.drawing.keys.assign(begin, end);
-            simplify_stretch(figure, share, jumps_in && jumps_out);
-            std::ranges::move(figure.drawing.keys, std::back_inserter(done));
+            shape.drawing.keys.assign(begin, end);
+            simplify_stretch(shape, share, jumps_in && jumps_out);
+            std::ranges::move(shape.drawing.keys, std::back_inserter(done));
             begin = end;
         }
-        figure.drawing.keys = std::move(done);
+        shape.drawing.keys = std::move(done);
     }
 
-    void simplify_stretch(Figure& figure, double share, bool may_merge)
+    void simplify_stretch(Shape& shape, double share, bool may_merge)
     {
-        auto& keys = figure.drawing.keys;
-        const bool is_still = figure.drawing.is_still();
+        auto& keys = shape.drawing.keys;
+        const bool is_still = shape.drawing.is_still();
         const double begin = keys.front().time;
         const double end = keys.back().time;
         const Ease leaving = keys.back().ease;
         if (!is_still)
-            simplify_keys(figure, share * keys_share);
+            simplify_keys(shape, share * keys_share);
         // Other forms before and behind it begin when they did.
         if (keys.front().time > begin)
             keys.insert(keys.begin(), {begin, keys.front().value, {}});
@@ -264,25 +266,25 @@ private:
             keys.push_back({end, keys.back().value, {}});
         keys.back().ease = leaving;
         if (may_merge)
-            merge_curves(figure, is_still ? share : share * (1 - keys_share));
+            merge_curves(shape, is_still ? share : share * (1 - keys_share));
     }
 
     static constexpr double keys_share = 5.0 / 8;
 
     /// A tenth is for making keys equal. Where a line shows directions, half of the rest is for these.
-    void simplify_keys(Figure& figure, double share)
+    void simplify_keys(Shape& shape, double share)
     {
         constexpr double equal_share = 0.1;
         constexpr double point_share = (1 - equal_share) / 2;
-        Animated<Drawing>& drawing = figure.drawing;
-        if (!has_corners(figure.line)) {
+        Animated<Drawing>& drawing = shape.drawing;
+        if (!has_corners(shape.stroke)) {
             make_equal(drawing, share * equal_share);
             return leave_out_keys(drawing, share * (1 - equal_share), eases_);
         }
-        const double half_width = greatest(figure.line->width) / 2;
+        const double half_width = greatest(shape.stroke->width) / 2;
         make_equal(drawing,
-                   share * equal_share / corner_motion(corner_arms(figure), tweens_of(drawing), half_width));
-        leave_out_keys(drawing, share * point_share, {corner_arms(figure), half_width, share * point_share},
+                   share * equal_share / corner_motion(corner_arms(shape), tweens_of(drawing), half_width));
+        leave_out_keys(drawing, share * point_share, {corner_arms(shape), half_width, share * point_share},
                        eases_);
     }
 
@@ -295,12 +297,12 @@ private:
 
     void simplify(Fill& fill) { simplify_ink(fill); }
 
-    void simplify(Line& line, double share)
+    void simplify(StrokeStyle& stroke, double share)
     {
-        simplify_ink(line);
+        simplify_ink(stroke);
         // An edge moves by half of what the width changes, a tip or the corner of a cap further.
-        const double longest = std::max(line.miter_limit, std::numbers::sqrt2);
-        leave_out_keys(line.width, 2 * share / longest, eases_);
+        const double longest = std::max(stroke.miter_limit, std::numbers::sqrt2);
+        leave_out_keys(stroke.width, 2 * share / longest, eases_);
     }
 
     double tolerance_;
@@ -319,7 +321,7 @@ void simplify(Document& document, double tolerance)
     for (std::size_t i = 0; i < list.size(); ++i)
         all.take(placed(list[i].content, document.nodes[i].transform));
     Simplification simplification{document, tolerance};
-    simplification.simplify(document.nodes, list, {perspective_growth(document, all), 0});
+    simplification.simplify(document.nodes, list, {perspective_scale_factor(document, all), 0});
     for (Rig& rig : document.rigs)
         for (Bone& bone : rig.bones)
             simplification.simplify(bone);

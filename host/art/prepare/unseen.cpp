@@ -18,14 +18,14 @@ bool is_point(const scene::Outline& outline)
     });
 }
 
-bool shows_dots(const Figure& figure) { return figure.line && figure.line->cap != Cap::butt; }
+bool shows_dots(const Shape& shape) { return shape.stroke && shape.stroke->cap != Cap::butt; }
 
-void drop_points(Figure& figure)
+void drop_points(Shape& shape)
 {
-    auto& keys = figure.drawing.keys;
+    auto& keys = shape.drawing.keys;
     const bool one_form =
         std::ranges::all_of(keys, [&](const auto& key) { return same_form(keys.front().value, key.value); });
-    if (!one_form || figure.skin || shows_dots(figure))
+    if (!one_form || shape.skin || shows_dots(shape))
         return;
     for (std::size_t i = keys.front().value.outlines.size(); i-- > 0;) {
         if (!std::ranges::all_of(keys, [&](const auto& key) { return is_point(key.value.outlines[i]); }))
@@ -35,17 +35,17 @@ void drop_points(Figure& figure)
     }
 }
 
-void drop_transparent(Figure& figure)
+void drop_transparent(Shape& shape)
 {
-    if (figure.fill && is_zero(figure.fill->opacity))
-        figure.fill.reset();
-    if (figure.line && (is_zero(figure.line->opacity) || is_zero(figure.line->width)))
-        figure.line.reset();
+    if (shape.fill && is_zero(shape.fill->opacity))
+        shape.fill.reset();
+    if (shape.stroke && (is_zero(shape.stroke->opacity) || is_zero(shape.stroke->width)))
+        shape.stroke.reset();
 }
 
-bool draws(const Figure& figure)
+bool draws(const Shape& shape)
 {
-    return (figure.fill || figure.line) && std::ranges::any_of(figure.drawing.keys, [](const auto& key) {
+    return (shape.fill || shape.stroke) && std::ranges::any_of(shape.drawing.keys, [](const auto& key) {
                return !key.value.outlines.empty();
            });
 }
@@ -56,10 +56,10 @@ bool is_seen(Node& node, int depth)
 {
     if (node.shown.empty() || is_zero(node.opacity))
         return false;
-    if (auto* figure = std::get_if<Figure>(&node.content)) {
-        drop_transparent(*figure);
-        drop_points(*figure);
-        return draws(*figure);
+    if (auto* shape = std::get_if<Shape>(&node.content)) {
+        drop_transparent(*shape);
+        drop_points(*shape);
+        return draws(*shape);
     }
     auto& inner = std::get<Group>(node.content).nodes;
     drop_unseen(inner, depth + 1);

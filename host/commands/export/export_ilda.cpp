@@ -28,7 +28,7 @@ struct Drawn {
     std::vector<BeamPoints> frames;
     std::size_t points = 0;
     std::size_t max_points = 0;
-    std::size_t hasty = 0;
+    std::size_t sped_up = 0;
     std::size_t incomplete = 0;
 };
 
@@ -41,7 +41,7 @@ void add_frame(Drawn& drawn, std::span<const BeamPoint> points, const BeamReport
     drawn.frames.emplace_back(points.begin(), points.end());
     drawn.points += points.size();
     drawn.max_points = std::max(drawn.max_points, points.size());
-    drawn.hasty += report.haste > 0;
+    drawn.sped_up += report.speed_level > 0;
     drawn.incomplete += !report.is_complete;
 }
 
@@ -63,9 +63,9 @@ void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t
         << counted(drawn.points, "point") << ", at most " << drawn.max_points << " in a frame ("
         << rate / std::max<std::size_t>(drawn.max_points, 1) << " times a second at " << rate
         << " points a second)\n";
-    if (drawn.hasty > 0)
+    if (drawn.sped_up > 0)
         std::cerr
-            << "kfast: " << counted(drawn.hasty, "frame")
+            << "kfast: " << counted(drawn.sped_up, "frame")
             << " had to be drawn faster than the profile has it, in longer steps: mirrors may not follow; "
                "draw fewer lines, or choose a profile with a lower least-refresh\n";
     if (drawn.incomplete > 0)

@@ -52,8 +52,8 @@ void tell(const SoundLoop& loop, std::uint32_t rate, std::ostream& out)
     out << rounded_text(samples / rate) << " s, " << counted(loop.tours, "tour") << ", "
         << rounded_text(std::round(static_cast<double>(loop.tours) * rate / samples))
         << " a second, middle at " << percent(mean.x) << " % " << percent(mean.y) << " %\n";
-    if (loop.hasty_tours > 0)
-        std::cerr << "kfast: " << counted(loop.hasty_tours, "tour")
+    if (loop.sped_up_tours > 0)
+        std::cerr << "kfast: " << counted(loop.sped_up_tours, "tour")
                   << " had to be drawn faster and coarser: a higher --sample-rate draws finer\n";
     if (loop.incomplete_tours > 0)
         std::cerr << "kfast: " << counted(loop.incomplete_tours, "tour")

@@ -28,7 +28,7 @@ Json picture_facts(const BeamMoment& picture, const BeamProfile& profile)
             {"travel", fields(report.blanked_length)},
             {"lines", report.lines},
             {"corners", report.corners},
-            {"speed", std::exp2(report.haste / 4.0)},
+            {"speed", std::exp2(report.speed_level / 4.0)},
             {"complete", report.is_complete},
             {"instructions", std::llround(picture.instructions)},
             {"cpu_ms", picture.cpu_seconds * 1000}};
@@ -56,7 +56,7 @@ Json facts_of(const BeamFitFacts& facts)
             {"median", picture_facts(report.pictures[report.pictures.size() / 2], *target.beam)},
             {"mean_points", report.mean_points()},
             {"pictures", report.pictures.size()},
-            {"hasty", report.hasty},
+            {"hasty", report.sped_up},
             {"incomplete", report.incomplete},
             {"fps", {{"wanted", report.wanted_rate}, {"cpu_worst", 1 / report.dearest_seconds}}}};
 }

@@ -89,7 +89,7 @@ RelativePoint BackboneCells::nearest(Vec2 spot, std::optional<std::int32_t> back
             continue;
         found = in_cell(cell, place.value_or(edge));
         found.distance = away;
-        found.is_carried = place.has_value();
+        found.is_deformed = place.has_value();
     }
     return best.distance < HUGE_VAL ? best : beside;
 }

@@ -15,9 +15,9 @@ struct RelativePoint {
     double along = 0;
     double across = 0;
     std::int32_t backbone = 0;
-    double limit = 0;       ///< along is less: what follows belongs to the next backbone
-    double distance = 0;    ///< pixels that lie between the point and its cell; 0 in the cell
-    bool is_carried = true; ///< false if it has no place there and was moved to the nearest
+    double limit = 0;        ///< along is less: what follows belongs to the next backbone
+    double distance = 0;     ///< pixels that lie between the point and its cell; 0 in the cell
+    bool is_deformed = true; ///< false if it has no place there and was moved to the nearest
 };
 
 /// The cells of all backbones at one moment.

@@ -52,8 +52,8 @@ PosedBackbones BackboneTimeline::at(Time time, std::uint32_t unit_bits, std::spa
     const auto next = static_cast<std::size_t>(later);
     const std::size_t from = next == 0 ? 0 : next - 1;
     const std::size_t to = next == 0 || next == keys_.size() ? from : next;
-    const Progress way = progress_between(keys_[from].time, keys_[to].time, time, keys_[from].laws);
-    return {nodes, unit_bits, drawing(from), drawing(to), way};
+    const ProgressXY progress = progress_between(keys_[from].time, keys_[to].time, time, keys_[from].laws);
+    return {nodes, unit_bits, drawing(from), drawing(to), progress};
 }
 
 std::vector<BackboneNode> BackboneTimeline::nodes_at(Time time) const

@@ -15,8 +15,8 @@ struct Crossing {
 /// Finds the crossings of one segment.
 class CrossingSearch {
 public:
-    CrossingSearch(const Segment& segment, const CarryingCells& carrying)
-        : segment_{segment}, carrying_{carrying}, offset_{segment.kind == Segment::Kind::cubic ? 0.5 : 0.0}
+    CrossingSearch(const Segment& segment, const DeformingCells& deforming)
+        : segment_{segment}, deforming_{deforming}, offset_{segment.kind == Segment::Kind::cubic ? 0.5 : 0.0}
     {
     }
 
@@ -24,7 +24,7 @@ public:
     {
         const std::uint32_t steps = step_count();
         for (std::uint32_t i = 0; i < steps; ++i)
-            add_between(Share::ratio(i, steps).raw, Share::ratio(i + 1, steps).raw);
+            add_between(Fraction::ratio(i, steps).raw, Fraction::ratio(i + 1, steps).raw);
         return passes_node_ ? found_ : std::vector<Crossing>{};
     }
 
@@ -44,7 +44,7 @@ private:
 
     RelativePoint place_at(std::uint32_t share) const
     {
-        return carrying_.cells.place_of(in_pixels(point_at(segment_, Share{share})), carrying_.backbone);
+        return deforming_.cells.place_of(in_pixels(point_at(segment_, Fraction{share})), deforming_.backbone);
     }
 
     void add_between(std::uint32_t begin, std::uint32_t end)
@@ -65,7 +65,7 @@ private:
     /// Between the first and the last node.
     std::vector<double> borders_between(double low, double high, std::int32_t backbone) const
     {
-        const auto [first_node, last_node] = carrying_.cells.reach(backbone);
+        const auto [first_node, last_node] = deforming_.cells.reach(backbone);
         std::vector<double> borders;
         const auto last = static_cast<int>(std::floor(high - offset_));
         for (int node = static_cast<int>(std::floor(low - offset_)) + 1; node <= last; ++node)
@@ -91,44 +91,44 @@ private:
     void add(Crossing crossing)
     {
         constexpr double near = 0.5; // px
-        const Vec2 at = in_pixels(point_at(segment_, Share{crossing.share}));
+        const Vec2 at = in_pixels(point_at(segment_, Fraction{crossing.share}));
         if (distance(at, in_pixels(segment_.from)) > near && distance(at, in_pixels(segment_.to)) > near)
             found_.push_back(crossing);
     }
 
     const Segment& segment_;
-    const CarryingCells& carrying_;
+    const DeformingCells& deforming_;
     double offset_; ///< of the borders from the nodes
     std::vector<Crossing> found_;
     bool passes_node_ = false;
 };
 
 /// Where both sides of a pair are divided.
-using SharePairs = std::vector<Pair<Share>>;
+using FractionPairs = std::vector<Pair<Fraction>>;
 
-SharePairs merged(const std::vector<Crossing>& a, const std::vector<Crossing>& b)
+FractionPairs merged(const std::vector<Crossing>& a, const std::vector<Crossing>& b)
 {
     std::vector<std::uint32_t> all;
     for (const auto* crossings : {&a, &b})
         for (const Crossing& crossing : *crossings)
             all.push_back(crossing.share);
     std::ranges::sort(all);
-    SharePairs shares;
-    constexpr std::uint32_t nearest = Share::one / 64;
+    FractionPairs shares;
+    constexpr std::uint32_t nearest = Fraction::one / 64;
     for (const std::uint32_t share : all)
-        if (share >= (shares.empty() ? 0 : shares.back().a.raw) + nearest && share <= Share::one - nearest)
+        if (share >= (shares.empty() ? 0 : shares.back().a.raw) + nearest && share <= Fraction::one - nearest)
             shares.push_back({{share}, {share}});
     return shares;
 }
 
 /// Where both cross the same borders, each is divided there; otherwise both at all places of either.
-SharePairs shares_of(const Pair<Segment>& both, const CarryingCells& a, const CarryingCells& b)
+FractionPairs shares_of(const Pair<Segment>& both, const DeformingCells& a, const DeformingCells& b)
 {
     const std::vector<Crossing> of_a = CrossingSearch{both.a, a}.crossings();
     const std::vector<Crossing> of_b = CrossingSearch{both.b, b}.crossings();
     if (!std::ranges::equal(of_a, of_b, {}, &Crossing::border, &Crossing::border))
         return merged(of_a, of_b);
-    SharePairs shares;
+    FractionPairs shares;
     for (std::size_t i = 0; i < of_a.size(); ++i)
         shares.push_back({{of_a[i].share}, {of_b[i].share}});
     return shares;
@@ -136,14 +136,14 @@ SharePairs shares_of(const Pair<Segment>& both, const CarryingCells& a, const Ca
 
 }
 
-SegmentPairs divided_at_cells(const SegmentPairs& stroke, const CarryingCells& a, const CarryingCells& b)
+SegmentPairs divided_at_cells(const SegmentPairs& stroke, const DeformingCells& a, const DeformingCells& b)
 {
     SegmentPairs divided;
     for (const Pair<Segment>& both : stroke) {
-        SharePairs ends = shares_of(both, a, b);
-        ends.push_back({{Share::one}, {Share::one}});
-        Pair<Share> begin;
-        for (const Pair<Share>& end : ends) {
+        FractionPairs ends = shares_of(both, a, b);
+        ends.push_back({{Fraction::one}, {Fraction::one}});
+        Pair<Fraction> begin;
+        for (const Pair<Fraction>& end : ends) {
             divided.push_back({stretch(both.a, begin.a, end.a), stretch(both.b, begin.b, end.b)});
             begin = end;
         }

@@ -60,7 +60,7 @@ private:
         const RelativePoint place = cells_.place_of(in_pixels(point), main);
         if (place.distance > rounding)
             add(point);
-        if (place.distance > rounding && !place.is_carried)
+        if (place.distance > rounding && !place.is_deformed)
             ++moved_;
         return place.backbone;
     }
@@ -68,7 +68,7 @@ private:
     /// Control points may lie anywhere, as long as they can be carried.
     void look_at_control(Point point, std::int32_t backbone)
     {
-        if (cells_.place_on(in_pixels(point), backbone).is_carried)
+        if (cells_.place_on(in_pixels(point), backbone).is_deformed)
             return;
         add(point);
         ++moved_;

@@ -121,8 +121,8 @@ std::uint64_t tracks_of(const scene::Item& item)
     if (object == nullptr || object->live)
         return item.tracks.size();
     const bool may_have_arrivals = object->keys.size() > 1;
-    const bool is_carried = object->skin || !object->backbone_keys.empty();
-    return item.tracks.size() + 1 + (may_have_arrivals ? 1 : 0) + (is_carried || object->has_depths ? 1 : 0);
+    const bool is_deformed = object->skin || !object->backbone_keys.empty();
+    return item.tracks.size() + 1 + (may_have_arrivals ? 1 : 0) + (is_deformed || object->has_depths ? 1 : 0);
 }
 
 /// Likewise of all bones.

@@ -58,17 +58,17 @@ std::size_t max_drawn_bytes(const DrawingInput& limits, const Pen& pen, std::siz
 
 /// By what lengths around any point of a drawing grow, at most; in perspective by the most of 17 x 17 places
 /// among those that a point can have.
-std::int32_t max_growth(const Space& space, const Camera& camera)
+std::int32_t max_scale_factor(const Space& space, const Camera& camera)
 {
     if (space.is_flat())
-        return space.plane.growth();
+        return space.plane.scale_factor();
     constexpr int farthest = 2048; // px
     constexpr int step = farthest / 8;
     const Projection projection{space, camera};
     std::int32_t max = 0;
     for (int x = -farthest; x <= farthest; x += step)
         for (int y = -farthest; y <= farthest; y += step)
-            max = std::max(max, projection.growth_at({Fixed::pixels(x), Fixed::pixels(y)}));
+            max = std::max(max, projection.scale_factor_at({Fixed::pixels(x), Fixed::pixels(y)}));
     return max;
 }
 
@@ -84,7 +84,7 @@ std::size_t bytes_of(const SceneOnPanel& on_panel, SceneWalk& walk)
     if (style.is_stroked)
         bytes += likely(max_drawn_bytes(
             limits,
-            {.half_width = half_width(walk.state().width(), max_growth(walk.space(), on_panel.camera)),
+            {.half_width = half_width(walk.state().width(), max_scale_factor(walk.space(), on_panel.camera)),
              .cap = style.cap,
              .join = style.join},
             rows));

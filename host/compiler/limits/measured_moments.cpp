@@ -38,7 +38,7 @@ public:
         if (item.kind != ItemKind::object)
             return;
         add_keys(item.object.keys());
-        if (item.object.carrier == Carrier::backbones)
+        if (item.object.deformer == Deformer::backbones)
             add_keys(item.object.backbones.keys());
     }
 

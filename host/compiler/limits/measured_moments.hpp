@@ -12,7 +12,7 @@ struct MeasuredMoment {
     Time time;
     std::vector<Time> inputs;
 
-    Moment moment() const { return {time, inputs}; }
+    SceneTime moment() const { return {time, inputs}; }
 };
 
 /// At which the outlines of a scene are measured: four moments of each frame, or 4000 in all if the scene is

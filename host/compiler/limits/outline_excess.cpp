@@ -89,7 +89,7 @@ private:
 
 }
 
-void report_excess(const scene::Scene& scene, const SceneView& view, const Moment& moment,
+void report_excess(const scene::Scene& scene, const SceneView& view, const SceneTime& moment,
                    const LargestTexts& texts, Diagnostics& diagnostics)
 {
     OutlineMeter meter{view, ample_bytes};
@@ -109,8 +109,8 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Momen
                       "draw it with fewer points, or show less at a time");
 }
 
-void report_live_excess(const scene::Scene& scene, const Moment& moment, std::size_t bytes, std::size_t live,
-                        Diagnostics& diagnostics)
+void report_live_excess(const scene::Scene& scene, const SceneTime& moment, std::size_t bytes,
+                        std::size_t live, Diagnostics& diagnostics)
 {
     diagnostics.error(LargestLive{scene}.place(),
                       "what is told from outside may need " + std::to_string(live) +

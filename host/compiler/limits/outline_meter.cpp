@@ -48,7 +48,7 @@ void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
         told_ |= bit_of_input(number);
 }
 
-const raster::Picture& OutlineMeter::picture_at(const Moment& moment)
+const raster::Picture& OutlineMeter::picture_at(const SceneTime& moment)
 {
     on_panel_.prepared.move_to(on_panel_.scene, moment, std::exchange(told_, 0));
     if (picture_.dependence.is_touched_by(on_panel_.prepared.moved()))

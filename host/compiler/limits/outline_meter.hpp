@@ -25,7 +25,7 @@ public:
     /// From the next picture on, the input `number` is `text` (Player::set_text).
     void put_text(std::uint32_t number, std::string_view text);
     /// With nothing in the drawings that are told from outside. Valid until the next call.
-    const raster::Picture& picture_at(const Moment& moment);
+    const raster::Picture& picture_at(const SceneTime& moment);
     /// What these add at the same moment at most, whatever is told.
     std::size_t live_bytes() const;
 

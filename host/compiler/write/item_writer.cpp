@@ -1,7 +1,7 @@
 #include "host/compiler/write/item_writer.hpp"
 
 #include "core/scene/item_view.hpp"
-#include "host/compiler/carry/carrier.hpp"
+#include "host/compiler/carry/deformer.hpp"
 #include "host/compiler/write/backbone_writer.hpp"
 #include "host/compiler/write/key_writer.hpp"
 #include "host/compiler/write/label_writer.hpp"
@@ -51,7 +51,7 @@ std::uint32_t style_flags_of(const scene::Object& object)
 
 std::uint32_t key_flags_of(const scene::Object& object)
 {
-    return flag(has_arrivals(object), 6) | flag(carrier_of(object) != Carrier::none, 7);
+    return flag(has_arrivals(object), 6) | flag(deformer_of(object) != Deformer::none, 7);
 }
 
 std::uint32_t head_of(const scene::Item& item, bool has_tracks)
@@ -112,16 +112,16 @@ void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
     }
 }
 
-void ItemWriter::write_carrier(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes)
+void ItemWriter::write_deformer(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes)
 {
     constexpr std::uint32_t backbones = 0;
-    switch (carrier_of(object)) {
-    case Carrier::none:
+    switch (deformer_of(object)) {
+    case Deformer::none:
         return;
-    case Carrier::backbones:
+    case Deformer::backbones:
         bytes.u8(backbones);
         return write_backbones(object, unit_bits, laws_, drawings_, bytes);
-    case Carrier::bones:
+    case Deformer::bones:
         return bytes.u8(static_cast<std::uint32_t>(object.skin->bones) + 1);
     }
 }
@@ -142,7 +142,7 @@ void ItemWriter::write_object(const scene::Object& object, ByteWriter& bytes)
     const PackedKeys keys = object.skin ? packed_skinned_keys(object, laws_, drawings_, diagnostics_)
                                         : packed_keys(object, laws_, drawings_, diagnostics_);
     write_style(object, bytes);
-    write_carrier(object, keys.unit_bits, bytes);
+    write_deformer(object, keys.unit_bits, bytes);
     bytes.append(keys.bytes);
 }
 

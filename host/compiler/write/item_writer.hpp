@@ -24,7 +24,7 @@ public:
 
 private:
     void write_item(const scene::Item& item, ByteWriter& bytes);
-    void write_carrier(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes);
+    void write_deformer(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes);
     void write_live(const scene::Object& object, ByteWriter& bytes);
     void write_object(const scene::Object& object, ByteWriter& bytes);
 

@@ -1,7 +1,7 @@
 #include "host/compiler/write/key_writer.hpp"
 
 #include "core/scene/kfb_limits.hpp"
-#include "host/compiler/carry/carried_ways.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
 #include "host/compiler/match/match_by_length.hpp"
 #include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
@@ -14,7 +14,7 @@ namespace kfast {
 namespace {
 
 /// The drawings at both ends of the way from `key` to `next`.
-MatchedDrawings ends_of_way(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
+MatchedDrawings ends_of_tween(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
 {
     MatchedDrawings as_drawn{key.drawing, next.drawing};
     if (key.match == scene::Match::count)
@@ -29,18 +29,19 @@ MatchedDrawings ends_of_way(const scene::Key& key, const scene::Key& next, Diagn
 }
 
 /// As they are without backbones.
-std::vector<KeyWay> drawn_ways(const scene::Object& object, Diagnostics& diagnostics)
+std::vector<KeyTween> drawn_tweens(const scene::Object& object, Diagnostics& diagnostics)
 {
-    std::vector<KeyWay> ways;
+    std::vector<KeyTween> tweens;
     for (std::size_t i = 0; i < object.keys.size(); ++i) {
         const scene::Key& key = object.keys[i];
         const bool leads_on = i + 1 < object.keys.size();
-        KeyWay way{.time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
-        way.ends = leads_on ? ends_of_way(key, object.keys[i + 1], diagnostics)
-                            : MatchedDrawings{key.drawing, key.drawing};
-        ways.push_back(std::move(way));
+        KeyTween tween{
+            .time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
+        tween.ends = leads_on ? ends_of_tween(key, object.keys[i + 1], diagnostics)
+                              : MatchedDrawings{key.drawing, key.drawing};
+        tweens.push_back(std::move(tween));
     }
-    return ways;
+    return tweens;
 }
 
 }
@@ -53,28 +54,28 @@ bool has_arrivals(const scene::Object& object)
                        [](const scene::Key& key) { return key.match == scene::Match::length; });
 }
 
-KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics)
+KeyTweens key_tweens(const scene::Object& object, Diagnostics& diagnostics)
 {
-    std::vector<KeyWay> drawn = drawn_ways(object, diagnostics);
+    std::vector<KeyTween> drawn = drawn_tweens(object, diagnostics);
     if (!object.backbone_keys.empty())
-        return carried_ways(object, drawn, diagnostics);
-    return {.ways = std::move(drawn)};
+        return deformed_tweens(object, drawn, diagnostics);
+    return {.tweens = std::move(drawn)};
 }
 
 PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics)
 {
     const bool with_arrivals = has_arrivals(object);
-    const KeyWays ways = key_ways(object, diagnostics);
+    const KeyTweens tweens = key_tweens(object, diagnostics);
     KeyTimes key_times;
     std::vector<std::int32_t> from;
     std::vector<std::int32_t> to;
     std::vector<std::int32_t> depths;
-    for (const KeyWay& way : ways.ways) {
-        key_times.push_back({way.time, laws.number_of(way.laws, way.place)});
-        from.push_back(drawings.offset_of(way.ends.from));
+    for (const KeyTween& tween : tweens.tweens) {
+        key_times.push_back({tween.time, laws.number_of(tween.laws, tween.place)});
+        from.push_back(drawings.offset_of(tween.ends.from));
         if (with_arrivals)
-            to.push_back(drawings.offset_of(way.ends.to));
+            to.push_back(drawings.offset_of(tween.ends.to));
     }
     for (const scene::Key& key : object.keys) {
         if (!object.has_depths)
@@ -88,7 +89,7 @@ PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool&
         write_values(to, bytes);
     if (object.has_depths)
         write_values(depths, bytes);
-    return {bytes.bytes(), ways.unit_bits};
+    return {bytes.bytes(), tweens.unit_bits};
 }
 
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/compiler/carry/key_way.hpp"
+#include "host/compiler/carry/key_tween.hpp"
 #include "host/compiler/pack/drawing_pool.hpp"
 #include "host/compiler/pack/law_table.hpp"
 #include "host/scene/model.hpp"
@@ -15,7 +15,7 @@ namespace kfast {
 /// The keys of one object as the format has them.
 struct PackedKeys {
     std::vector<std::byte> bytes;
-    std::uint32_t unit_bits = 0; ///< see KeyWays
+    std::uint32_t unit_bits = 0; ///< see KeyTweens
 };
 
 /// Whether ways from a key of `object` to the next are written with both of their ends: all of them, if one
@@ -23,7 +23,7 @@ struct PackedKeys {
 bool has_arrivals(const scene::Object& object);
 
 /// The keys of `object` and the ways between them, as they are stored. Says what packed_keys() says.
-KeyWays key_ways(const scene::Object& object, Diagnostics& diagnostics);
+KeyTweens key_tweens(const scene::Object& object, Diagnostics& diagnostics);
 
 /// The keys of `object`. A way that takes more points than a drawing
 /// holds is an error at its key, points that backbones do not reach are a warning there.

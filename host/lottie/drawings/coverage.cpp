@@ -56,16 +56,16 @@ Coverage coverage_by(const art::Node& node, std::span<const Vec2> polygon, const
     if (const auto* group = std::get_if<art::Group>(&node.content)) {
         coverage = coverage_of(polygon, group->nodes, inner, time, by_luminance);
     } else {
-        const auto& figure = std::get<art::Figure>(node.content);
+        const auto& shape = std::get<art::Shape>(node.content);
         const double fill =
-            figure.fill ? figure.fill->opacity.at(time) * strength(figure.fill->colour.at(time), by_luminance)
-                        : 0;
+            shape.fill ? shape.fill->opacity.at(time) * strength(shape.fill->colour.at(time), by_luminance)
+                       : 0;
         if (!box_at({&node, 1}, time, matrix).touches(box_around(polygon)))
             coverage = Coverage::nothing;
-        else if (fill <= 1 - nearly_all && !figure.line)
+        else if (fill <= 1 - nearly_all && !shape.stroke)
             coverage = Coverage::nothing;
-        else if (fill >= nearly_all && figure.drawing.at(time).outlines.size() == 1 &&
-                 contains({{inner.of(figure.drawing.at(time).outlines.front())}}, polygon))
+        else if (fill >= nearly_all && shape.drawing.at(time).outlines.size() == 1 &&
+                 contains({{inner.of(shape.drawing.at(time).outlines.front())}}, polygon))
             coverage = Coverage::all;
     }
     return coverage == Coverage::all && opacity < nearly_all ? Coverage::part : coverage;

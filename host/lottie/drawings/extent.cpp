@@ -18,12 +18,12 @@ bool is_shown(const art::Node& node, double time)
                                [&](const art::Span& span) { return span.from <= time && time < span.to; });
 }
 
-double growth(const Affine& matrix) { return std::sqrt(std::abs(matrix.determinant())); }
+double scale_factor(const Affine& matrix) { return std::sqrt(std::abs(matrix.determinant())); }
 
-void include(Box& box, const art::Figure& figure, double time, const Affine& matrix)
+void include(Box& box, const art::Shape& shape, double time, const Affine& matrix)
 {
     Box drawn;
-    for (const scene::Outline& outline : figure.drawing.at(time).outlines) {
+    for (const scene::Outline& outline : shape.drawing.at(time).outlines) {
         drawn.include(matrix.of(outline.from));
         for (const scene::Curve& curve : outline.curves) {
             if (curve.cubic) {
@@ -35,7 +35,7 @@ void include(Box& box, const art::Figure& figure, double time, const Affine& mat
     }
     if (!(drawn.left <= drawn.right))
         return;
-    const double half = figure.line ? figure.line->width.at(time) * growth(matrix) / 2 : 0;
+    const double half = shape.stroke ? shape.stroke->width.at(time) * scale_factor(matrix) / 2 : 0;
     box.include({drawn.left - half, drawn.top - half});
     box.include({drawn.right + half, drawn.bottom + half});
 }
@@ -139,7 +139,7 @@ Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix)
                 box.include({of_group.right, of_group.bottom});
             }
         } else {
-            include(box, std::get<art::Figure>(node.content), time, inner);
+            include(box, std::get<art::Shape>(node.content), time, inner);
         }
     }
     return box;
@@ -171,7 +171,7 @@ std::size_t weight(std::span<const art::Node> nodes)
             total += weight(group->nodes);
         else
             for (const scene::Outline& outline :
-                 std::get<art::Figure>(node.content).drawing.keys.front().value.outlines)
+                 std::get<art::Shape>(node.content).drawing.keys.front().value.outlines)
                 total += outline.curves.size();
     }
     return total;

@@ -19,7 +19,7 @@ Tip tip(const Polystar& star, int index)
     const int count = star.inner ? 2 * star.tips : star.tips;
     const Ring& ring = star.inner && index % 2 != 0 ? *star.inner : star.outer;
     const double way = star.counterclockwise ? -1 : 1;
-    const Vec2 direction = scene::on_unit_circle(star.turn - 90 + way * 360.0 * (index % count) / count);
+    const Vec2 direction = scene::on_unit_circle(star.rotation - 90 + way * 360.0 * (index % count) / count);
     const double length = ring.roundness * std::numbers::pi * ring.radius / 2 / star.tips;
     return {star.centre + ring.radius * direction, way * length * Vec2{-direction.y, direction.x}};
 }

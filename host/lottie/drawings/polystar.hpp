@@ -18,7 +18,7 @@ struct Polystar {
     int tips = 0; ///< or corners
     Ring outer;
     std::optional<Ring> inner; ///< of a star
-    double turn = 0;           ///< degrees, clockwise; at 0, a tip is at twelve o'clock
+    double rotation = 0;       ///< degrees, clockwise; at 0, a tip is at twelve o'clock
     bool counterclockwise = false;
 };
 

@@ -34,14 +34,14 @@ std::optional<art::Rgb> background_of(const art::Node& node, const art::Document
     const art::Affine inner = matrix * matrix_at(node.transform, 0);
     if (const auto* group = std::get_if<art::Group>(&node.content))
         return group->nodes.size() == 1 ? background_of(group->nodes.front(), document, inner) : std::nullopt;
-    const auto& figure = std::get<art::Figure>(node.content);
-    if (!figure.drawing.is_still() || figure.drawing.value().outlines.size() != 1 || !figure.fill ||
-        figure.line || !figure.fill->colour.is_still() || steady_value(figure.fill->opacity) != 1.0)
+    const auto& shape = std::get<art::Shape>(node.content);
+    if (!shape.drawing.is_still() || shape.drawing.value().outlines.size() != 1 || !shape.fill ||
+        shape.stroke || !shape.fill->colour.is_still() || steady_value(shape.fill->opacity) != 1.0)
         return std::nullopt;
     const auto corners = Box{0, 0, document.width, document.height}.corners();
-    if (!contains({{inner.of(figure.drawing.value().outlines.front())}}, corners))
+    if (!contains({{inner.of(shape.drawing.value().outlines.front())}}, corners))
         return std::nullopt;
-    return figure.fill->colour.value();
+    return shape.fill->colour.value();
 }
 
 }

@@ -17,16 +17,16 @@ std::vector<art::Node> read_solid(const Layer& layer)
 {
     layer.reading.budget.take_node();
     layer.reading.budget.take_points(5);
-    art::Figure figure;
-    figure.drawing = solid_drawing(layer.json);
-    if (figure.drawing.value().outlines.empty())
+    art::Shape shape;
+    shape.drawing = solid_drawing(layer.json);
+    if (shape.drawing.value().outlines.empty())
         return {};
     const auto colour = solid_colour(layer.json);
     if (!colour)
         report(layer, "solid of the colour " + in_quotes(text_at(layer.json, "sc")), "black");
-    figure.fill.emplace().colour = colour.value_or(art::Rgb{});
+    shape.fill.emplace().colour = colour.value_or(art::Rgb{});
     art::Node node;
-    node.content = std::move(figure);
+    node.content = std::move(shape);
     return {std::move(node)};
 }
 

@@ -127,10 +127,10 @@ bool has_outline(const art::Animated<art::Drawing>& path)
 
 art::Node drawn(art::Animated<art::Drawing> drawing)
 {
-    art::Figure figure;
-    figure.drawing = std::move(drawing);
+    art::Shape shape;
+    shape.drawing = std::move(drawing);
     art::Node node;
-    node.content = std::move(figure);
+    node.content = std::move(shape);
     return node;
 }
 
@@ -169,29 +169,29 @@ bool is_hole(const Mask& mask)
 art::Node shaped(const art::Node& solid, const Mask& mask)
 {
     art::Node part = solid;
-    auto& figure = std::get<art::Figure>(part.content);
-    figure.drawing = mask.path;
-    close(figure.drawing);
-    figure.fill->opacity = mask.opacity;
+    auto& shape = std::get<art::Shape>(part.content);
+    shape.drawing = mask.path;
+    close(shape.drawing);
+    shape.fill->opacity = mask.opacity;
     return part;
 }
 
 art::Node pierced(const art::Node& solid, const Mask& mask)
 {
     art::Node part = shaped(solid, mask);
-    auto& figure = std::get<art::Figure>(part.content);
-    const scene::Outline edge = std::get<art::Figure>(solid.content).drawing.value().outlines.front();
-    for (auto& key : figure.drawing.keys)
+    auto& shape = std::get<art::Shape>(part.content);
+    const scene::Outline edge = std::get<art::Shape>(solid.content).drawing.value().outlines.front();
+    for (auto& key : shape.drawing.keys)
         key.value.outlines.insert(key.value.outlines.begin(), edge);
-    figure.fill->rule = FillRule::even_odd;
-    figure.fill->opacity = art::Channel{1};
+    shape.fill->rule = FillRule::even_odd;
+    shape.fill->opacity = art::Channel{1};
     return part;
 }
 
 /// Whether figures of the masks that are added show just what the masks do.
 bool is_exact(const std::vector<Mask>& masks, const art::Node& solid, const Layer& layer)
 {
-    const auto& edge = std::get<art::Figure>(solid.content).drawing.value();
+    const auto& edge = std::get<art::Shape>(solid.content).drawing.value();
     const bool alone = masks.size() == 1;
     return std::ranges::all_of(masks, [&](const Mask& mask) {
         const bool joins = alone || (mask.mode != 'f' && steady_value(mask.opacity) == 1.0);
@@ -205,7 +205,7 @@ bool is_exact_hole(const std::vector<Mask>& masks, const art::Node& solid, const
     const Mask& first = masks.front();
     return masks.size() == 1 && is_hole(first) && steady_value(first.opacity) == 1.0 &&
            steady_value(first.expansion) == 0.0 &&
-           lies_within(first, std::get<art::Figure>(solid.content).drawing.value(), layer);
+           lies_within(first, std::get<art::Shape>(solid.content).drawing.value(), layer);
 }
 
 std::vector<art::Node> shaped(const art::Node& solid, const std::vector<Mask>& masks)

@@ -34,17 +34,17 @@ Coverage coverage_at(double time, std::span<const art::Node> nodes, const Layer&
 using Way = std::vector<const art::Transform*>;
 
 /// What is filled, and can be seen by its form alone.
-struct Shape {
-    const art::Figure* figure;
+struct LoneShape {
+    const art::Shape* content;
     Way way; ///< the outermost first
 };
 
 /// Nothing if there is more than one figure, or one that is seen through or is not always there.
-std::optional<Shape> lone_shape(const std::vector<art::Node>& nodes)
+std::optional<LoneShape> lone_shape(const std::vector<art::Node>& nodes)
 {
-    Shape shape{};
+    LoneShape shape{};
     const std::vector<art::Node>* inside = &nodes;
-    while (!shape.figure) {
+    while (!shape.content) {
         if (inside->size() != 1)
             return std::nullopt;
         const art::Node& node = inside->front();
@@ -54,10 +54,10 @@ std::optional<Shape> lone_shape(const std::vector<art::Node>& nodes)
         if (const auto* group = std::get_if<art::Group>(&node.content))
             inside = &group->nodes;
         else
-            shape.figure = &std::get<art::Figure>(node.content);
+            shape.content = &std::get<art::Shape>(node.content);
     }
-    const bool is_filled = shape.figure->fill && steady_value(shape.figure->fill->opacity) == 1.0;
-    return is_filled && !shape.figure->line ? std::optional{std::move(shape)} : std::nullopt;
+    const bool is_filled = shape.content->fill && steady_value(shape.content->fill->opacity) == 1.0;
+    return is_filled && !shape.content->stroke ? std::optional{std::move(shape)} : std::nullopt;
 }
 
 /// The transforms around that are not around the other one as well, the innermost first.
@@ -93,8 +93,8 @@ std::optional<Window> window_through(const Layer& layer, const MatteSource& sour
     const Way to_layers = own_way(&source.layer.around, &layer.around);
     inner.insert(inner.end(), to_layers.begin(), to_layers.end());
     const Way outer = own_way(&layer.around, &source.layer.around);
-    Window window = window_of(shape->figure->drawing);
-    window.rule = shape->figure->fill->rule;
+    Window window = window_of(shape->content->drawing);
+    window.rule = shape->content->fill->rule;
     for (const Way* way : std::initializer_list<const Way*>{&inner, &outer})
         for (const art::Transform* transform : *way) {
             if (!transform || !is_flat(*transform))

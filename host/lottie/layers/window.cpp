@@ -107,41 +107,41 @@ private:
             cut(group->nodes);
             something = !group->nodes.empty();
         } else {
-            something = cut(std::get<art::Figure>(node.content));
+            something = cut(std::get<art::Shape>(node.content));
         }
         way_.pop_back();
         return something;
     }
 
     /// Whether something of it is left.
-    bool cut(art::Figure& figure)
+    bool cut(art::Shape& shape)
     {
-        const Coverage coverage = coverage_of(figure);
+        const Coverage coverage = coverage_of(shape);
         if (coverage != Coverage::part)
             return coverage == Coverage::all;
-        const bool is_polygon = !window_.is_convex && is_convex(figure.drawing);
+        const bool is_polygon = !window_.is_convex && is_convex(shape.drawing);
         const bool can_be_cut =
-            !figure.line && (window_.is_convex || is_polygon) && std::ranges::all_of(way_, is_flat);
-        MovingDrawing part = within(figure.drawing);
+            !shape.stroke && (window_.is_convex || is_polygon) && std::ranges::all_of(way_, is_flat);
+        MovingDrawing part = within(shape.drawing);
         if (!can_be_cut || !is_affordable(part)) {
             is_all_cut_ = false;
             return true;
         }
         if (is_polygon)
-            figure.fill->rule = window_.rule;
-        figure.drawing = keys_of(part, budget_);
-        count_points(figure.drawing);
-        return std::ranges::any_of(figure.drawing.keys,
+            shape.fill->rule = window_.rule;
+        shape.drawing = keys_of(part, budget_);
+        count_points(shape.drawing);
+        return std::ranges::any_of(shape.drawing.keys,
                                    [](const auto& key) { return !key.value.outlines.empty(); });
     }
 
     /// How much of the figure is inside; the same at all times, or part.
-    Coverage coverage_of(const art::Figure& figure) const
+    Coverage coverage_of(const art::Shape& shape) const
     {
         std::optional<Coverage> all_along;
-        const double cost = window_.drawing.cost + moving(figure.drawing).cost;
+        const double cost = window_.drawing.cost + moving(shape.drawing).cost;
         for (const double time : sample_times(seen_, static_cast<std::size_t>(cost) + way_.size(), budget_)) {
-            const Coverage now = coverage_at(figure, time);
+            const Coverage now = coverage_at(shape, time);
             if (now == Coverage::part || (all_along && *all_along != now))
                 return Coverage::part;
             all_along = now;
@@ -149,12 +149,12 @@ private:
         return all_along.value_or(Coverage::all);
     }
 
-    Coverage coverage_at(const art::Figure& figure, double time) const
+    Coverage coverage_at(const art::Shape& shape, double time) const
     {
         const Affine matrix = matrix_of(way_, time);
-        const std::vector<Vec2> points = points_of(mapped(matrix, figure.drawing.at(time)));
-        const double growth = std::sqrt(std::abs(matrix.determinant()));
-        const double half = figure.line ? figure.line->width.at(time) * growth / 2 : 0;
+        const std::vector<Vec2> points = points_of(mapped(matrix, shape.drawing.at(time)));
+        const double scale_factor = std::sqrt(std::abs(matrix.determinant()));
+        const double half = shape.stroke ? shape.stroke->width.at(time) * scale_factor / 2 : 0;
         const Drawing window = window_.drawing.at(time);
         if (const auto polygon = ConvexPolygon::of(window)) {
             if (polygon->misses(points, half))

@@ -12,12 +12,12 @@ namespace {
 using art::Node;
 
 /// A path, and the groups that carry it within the list of a style, the innermost first.
-struct CarriedPath {
+struct TransformedPath {
     const PathItem* path = nullptr;
     std::vector<const GroupItem*> groups;
 };
 
-void collect(const ShapeItem& item, std::vector<CarriedPath>& paths)
+void collect(const ShapeItem& item, std::vector<TransformedPath>& paths)
 {
     if (const auto* path = std::get_if<PathItem>(&item.content))
         paths.push_back({path, {}});
@@ -39,11 +39,11 @@ bool keeps_widths(const art::Transform& transform)
 }
 
 /// Whether a figure may lie in the groups of its paths instead of carrying their moves in its points.
-bool can_lie_in_groups(const std::vector<CarriedPath>& paths, bool has_line)
+bool can_lie_in_groups(const std::vector<TransformedPath>& paths, bool has_line)
 {
     const auto& groups = paths.front().groups;
     return !std::ranges::all_of(groups, [](const GroupItem* group) { return is_still(group->transform); }) &&
-           std::ranges::all_of(paths, [&](const CarriedPath& path) { return path.groups == groups; }) &&
+           std::ranges::all_of(paths, [&](const TransformedPath& path) { return path.groups == groups; }) &&
            (!has_line || std::ranges::all_of(
                              groups, [](const GroupItem* group) { return keeps_widths(group->transform); }));
 }
@@ -73,7 +73,7 @@ Node flattened(Node group)
 }
 
 /// Names of paths say more than those of styles.
-const std::string& name_of(const StyleItem& style, const std::vector<CarriedPath>& paths)
+const std::string& name_of(const StyleItem& style, const std::vector<TransformedPath>& paths)
 {
     const std::string& path = paths.front().path->name;
     return path.empty() || (paths.size() > 1 && !style.name.empty()) ? style.name : path;
@@ -93,7 +93,7 @@ Node within(const GroupItem& group, std::vector<Node> nodes)
 const StyleItem* fill_below(const StyleItem& style, const ShapeItem& next)
 {
     const auto* below = std::get_if<StyleItem>(&next.content);
-    return style.line && style.dashes.lengths.empty() && below && below->fill ? below : nullptr;
+    return style.stroke && style.dashes.lengths.empty() && below && below->fill ? below : nullptr;
 }
 
 class Painter {
@@ -103,7 +103,7 @@ public:
     std::vector<Node> paint(const std::vector<ShapeItem>& items) const
     {
         std::vector<Node> nodes;
-        std::vector<CarriedPath> paths;
+        std::vector<TransformedPath> paths;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const auto* style = std::get_if<StyleItem>(&items[i].content);
             if (!style) {
@@ -112,7 +112,7 @@ public:
                 continue;
             }
             const StyleItem* const below = i + 1 < items.size() ? fill_below(*style, items[i + 1]) : nullptr;
-            add_figure(*style, below, paths, nodes);
+            add_shape(*style, below, paths, nodes);
             i += below ? 1 : 0;
         }
         std::ranges::reverse(nodes);
@@ -136,34 +136,34 @@ private:
         nodes.push_back(std::move(node));
     }
 
-    void add_figure(const StyleItem& style, const StyleItem* below, const std::vector<CarriedPath>& paths,
-                    std::vector<Node>& nodes) const
+    void add_shape(const StyleItem& style, const StyleItem* below, const std::vector<TransformedPath>& paths,
+                   std::vector<Node>& nodes) const
     {
         if (paths.empty())
             return;
         reading_.budget.take_node();
-        art::Figure figure;
-        figure.fill = below ? below->fill : style.fill;
-        figure.line = style.line;
-        const bool in_groups = can_lie_in_groups(paths, figure.line.has_value());
-        figure.drawing = keys_of(drawing_of(style, paths, in_groups), reading_.budget);
-        if (is_empty(figure.drawing))
+        art::Shape shape;
+        shape.fill = below ? below->fill : style.fill;
+        shape.stroke = style.stroke;
+        const bool in_groups = can_lie_in_groups(paths, shape.stroke.has_value());
+        shape.drawing = keys_of(drawing_of(style, paths, in_groups), reading_.budget);
+        if (is_empty(shape.drawing))
             return;
         Node node;
         node.name = name_of(style, paths);
-        node.content = std::move(figure);
+        node.content = std::move(shape);
         if (in_groups)
             for (const GroupItem* group : paths.front().groups)
                 node = within(*group, {std::move(node)});
         nodes.push_back(std::move(node));
     }
 
-    MovingDrawing drawing_of(const StyleItem& style, const std::vector<CarriedPath>& paths,
+    MovingDrawing drawing_of(const StyleItem& style, const std::vector<TransformedPath>& paths,
                              bool in_groups) const
     {
         const bool is_cut = !style.dashes.lengths.empty();
         std::vector<MovingDrawing> drawings;
-        for (const CarriedPath& path : paths) {
+        for (const TransformedPath& path : paths) {
             MovingDrawing drawing = path.path->plain && !is_cut ? *path.path->plain : path.path->drawing;
             if (!in_groups)
                 for (const GroupItem* group : path.groups)
@@ -175,9 +175,9 @@ private:
         return is_cut ? dashed_or_reported(std::move(all), style.dashes) : all;
     }
 
-    MovingDrawing dashed_or_reported(MovingDrawing line, const Dashes& dashes) const
+    MovingDrawing dashed_or_reported(MovingDrawing stroke, const Dashes& dashes) const
     {
-        DashedDrawing result = dashed(std::move(line), dashes);
+        DashedDrawing result = dashed(std::move(stroke), dashes);
         if (result.dashing == Dashing::stand_still)
             reading_.losses.add({"more than " + std::to_string(max_moving_dashes) + " moving dashes",
                                  reading_.layer, std::nullopt, "dashes that stand still"});

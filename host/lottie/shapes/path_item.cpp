@@ -195,7 +195,7 @@ struct StarChannels {
     Channel x;
     Channel y;
     Channel tips;
-    Channel turn;
+    Channel rotation;
     Channel outer;
     Channel outer_roundness;
     Channel inner;
@@ -218,7 +218,7 @@ Outline star_at(const StarChannels& star, double time)
                  static_cast<int>(tips),
                  {star.outer.at(time), star.outer_roundness.at(time)},
                  {},
-                 star.turn.at(time),
+                 star.rotation.at(time),
                  star.is_reversed};
     if (star.has_inner)
         now.inner = Ring{star.inner.at(time), star.inner_roundness.at(time)};
@@ -246,7 +246,7 @@ void read_star(PathItem& result, const Json& item, bool is_reversed, const Readi
                             whole_at(item, "sy", 1) != polygon,
                             is_reversed};
     report_tips(star, reading);
-    result.drawing = moving({&star.x, &star.y, &star.tips, &star.turn, &star.outer, &star.outer_roundness,
+    result.drawing = moving({&star.x, &star.y, &star.tips, &star.rotation, &star.outer, &star.outer_roundness,
                              &star.inner, &star.inner_roundness},
                             [star](double time) { return star_at(star, time); });
     result.drawing.changes_form = !star.tips.is_still();

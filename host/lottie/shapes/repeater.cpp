@@ -113,7 +113,7 @@ Channel opacity(const Repeater& repeater, double index, art::Budget& budget)
 /// The step of a copy: turned about the anchor, grown about it, and moved.
 struct CopyStep {
     art::Transform move_and_grow;
-    std::optional<art::Transform> turn; ///< by itself, where the scales differ
+    std::optional<art::Transform> rotation; ///< by itself, where the scales differ
 };
 
 CopyStep step_of(const Repeater& repeater, double index, art::Budget& budget)
@@ -144,10 +144,10 @@ CopyStep step_of(const Repeater& repeater, double index, art::Budget& budget)
                  {&step.rotate, &offset}, Dependence::linear, fine, budget);
     const bool is_turned = turned != Channel{0};
     if (is_turned && step.scale_x != step.scale_y) {
-        result.turn.emplace();
-        result.turn->anchor_x = result.turn->x = step.anchor_x;
-        result.turn->anchor_y = result.turn->y = step.anchor_y;
-        result.turn->rotate = turned;
+        result.rotation.emplace();
+        result.rotation->anchor_x = result.rotation->x = step.anchor_x;
+        result.rotation->anchor_y = result.rotation->y = step.anchor_y;
+        result.rotation->rotate = turned;
     } else {
         outer.rotate = turned;
     }
@@ -160,9 +160,9 @@ ShapeItem copy(const std::vector<ShapeItem>& items, const Repeater& repeater, do
     CopyStep step = step_of(repeater, index, budget);
     GroupItem group;
     group.items = items;
-    if (step.turn) {
+    if (step.rotation) {
         GroupItem inner = std::move(group);
-        inner.transform = std::move(*step.turn);
+        inner.transform = std::move(*step.rotation);
         group = {};
         group.items.push_back({std::move(inner)});
     }

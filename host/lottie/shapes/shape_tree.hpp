@@ -25,7 +25,7 @@ struct PathItem {
 struct StyleItem {
     std::string name;
     std::optional<art::Fill> fill; ///< or
-    std::optional<art::Line> line;
+    std::optional<art::StrokeStyle> stroke;
     Dashes dashes; ///< of the line
 };
 

@@ -79,20 +79,20 @@ void read_fill(StyleItem& style, const Json& item, const Reading& reading)
 
 void read_line(StyleItem& style, const Json& item, const Reading& reading)
 {
-    art::Line line;
-    line.opacity = read_opacity(item, reading);
-    line.width = read_channel(item, "w", 0, 1, 1, reading.time, reading.budget);
-    line.cap = cap_of(item);
-    line.join = join_of(item);
-    line.miter_limit = miter_limit(item, reading);
-    style.line = std::move(line);
+    art::StrokeStyle stroke;
+    stroke.opacity = read_opacity(item, reading);
+    stroke.width = read_channel(item, "w", 0, 1, 1, reading.time, reading.budget);
+    stroke.cap = cap_of(item);
+    stroke.join = join_of(item);
+    stroke.miter_limit = miter_limit(item, reading);
+    style.stroke = std::move(stroke);
     style.dashes = read_dashes(item, reading);
 }
 
 void read_stroke(StyleItem& style, const Json& item, const Reading& reading)
 {
     read_line(style, item, reading);
-    style.line->colour = read_colour(item, "c", reading.time, reading.budget);
+    style.stroke->colour = read_colour(item, "c", reading.time, reading.budget);
 }
 
 /// As much as is seen of a gradient, and of the style.
@@ -114,8 +114,8 @@ void read_gradient_stroke(StyleItem& style, const Json& item, const Reading& rea
 {
     const MeanColour mean = read_mean_colour(item, reading);
     read_line(style, item, reading);
-    style.line->colour = mean.colour;
-    style.line->opacity = seen(style.line->opacity, mean.opacity, reading);
+    style.stroke->colour = mean.colour;
+    style.stroke->opacity = seen(style.stroke->opacity, mean.opacity, reading);
     reading.losses.add({"gradient of a stroke", reading.layer, std::nullopt, "its mean colour"});
 }
 

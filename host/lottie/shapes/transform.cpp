@@ -33,28 +33,28 @@ std::optional<Channel> sum(const Channel& one, const Channel& other)
 }
 
 /// Turns about the three axes: about z first, then about y, then about x.
-struct Turns {
+struct Rotations {
     Channel x = {0};
     Channel y = {0};
     Channel z = {0};
 };
 
 /// After Effects has z lead away from the viewer, and turns about x and y the other way round.
-Turns read_rotation(const Json& ks, const Reading& reading)
+Rotations read_rotation(const Json& ks, const Reading& reading)
 {
     const char* const about_z = find_member(ks, "rz") ? "rz" : "r";
     return {channel(ks, "rx", 0, 0, -1, reading), channel(ks, "ry", 0, 0, -1, reading),
             channel(ks, about_z, 0, 0, 1, reading)};
 }
 
-Turns read_orientation(const Json& ks, const Reading& reading)
+Rotations read_orientation(const Json& ks, const Reading& reading)
 {
     return {channel(ks, "or", 0, 0, -1, reading), channel(ks, "or", 1, 0, -1, reading),
             channel(ks, "or", 2, 0, 1, reading)};
 }
 
 /// First `inner`, then `outer`, as one; nothing if one cannot say it.
-std::optional<Turns> merged(const Turns& outer, const Turns& inner)
+std::optional<Rotations> merged(const Rotations& outer, const Rotations& inner)
 {
     const bool outer_begins_with_x = is_zero(outer.z) && is_zero(outer.y);
     const bool inner_ends_with_z = is_zero(inner.x) && is_zero(inner.y);
@@ -66,7 +66,7 @@ std::optional<Turns> merged(const Turns& outer, const Turns& inner)
     const auto z = sum(outer.z, inner.z);
     if (!x || !y || !z)
         return std::nullopt;
-    return Turns{*x, *y, *z};
+    return Rotations{*x, *y, *z};
 }
 
 Channel read_depth(const Json& ks, const Reading& reading)
@@ -87,8 +87,8 @@ void turn_in_space(art::Transform& transform, const Json& ks, const Reading& rea
     transform.z = read_depth(ks, reading);
     if (!is_zero(channel(ks, "a", 2, 0, 1, reading)))
         report(reading, "depth of the anchor", "the layer turns about a point in its own plane");
-    Turns turns = read_rotation(ks, reading);
-    const Turns orientation = read_orientation(ks, reading);
+    Rotations turns = read_rotation(ks, reading);
+    const Rotations orientation = read_orientation(ks, reading);
     if (const auto both = merged(orientation, turns))
         turns = *both;
     else
@@ -109,7 +109,7 @@ art::Transform read_flat(const Json& ks, const Reading& reading, bool turns)
     transform.rotate = channel(ks, find_member(ks, "r") ? "r" : "rz", 0, 0, 1, reading);
     transform.skew = channel(ks, "sk", 0, 0, 1, reading);
     transform.skew_axis = channel(ks, "sa", 0, 0, 1, reading);
-    lean_before_growing(transform);
+    skew_before_scaling(transform);
     return transform;
 }
 

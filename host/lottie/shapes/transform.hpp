@@ -19,6 +19,6 @@ bool is_flat(const art::Transform& transform);
 
 /// Lottie grows before it leans, a transform the other way round: turns the one into the other where the
 /// scales differ.
-void lean_before_growing(art::Transform& transform);
+void skew_before_scaling(art::Transform& transform);
 
 }

@@ -202,8 +202,8 @@ void retime(std::vector<art::Node>& nodes, const std::vector<TimePiece>& pieces,
             node.shown = retimed(node.shown, pieces);
         change(node.opacity);
         art::every_animation(node.transform, change);
-        if (auto* figure = std::get_if<art::Figure>(&node.content))
-            art::every_animation(*figure, change);
+        if (auto* shape = std::get_if<art::Shape>(&node.content))
+            art::every_animation(*shape, change);
     });
 }
 

@@ -2,7 +2,7 @@
 
 #include "host/fit/frame_cost.hpp"
 #include "host/fit/memory_need.hpp"
-#include "host/fit/work_log.hpp"
+#include "host/fit/op_log.hpp"
 #include "host/text/counted.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ BoardPace::BoardPace(const SceneView& scene, const fit::Target& board, Fit fit)
 double BoardPace::seconds_for(Time moment)
 {
     using fit::operator+=;
-    fit::WorkLog log;
+    fit::OpLog log;
     const SentAreas& sent = changes_.show(moment);
     fit::FrameEffort effort{.moment = moment, .work = {}, .areas = sent.areas.size(), .bytes = sent.bytes};
     for (const auto& [path, count] : log.by_item())

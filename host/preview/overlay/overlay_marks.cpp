@@ -25,7 +25,7 @@ void OverlayMarks::add_bones(const SeenLeaf& leaf)
 {
     if (leaf.item.kind != ItemKind::object)
         return;
-    if (leaf.item.object.carrier == Carrier::bones)
+    if (leaf.item.object.deformer == Deformer::bones)
         add_bones(leaf.item.object.skeleton, leaf.space);
     for (const SeenBackbone& backbone : seen_backbones(scene_, leaf)) {
         add_lines(backbone.nodes, MarkKind::backbone);
@@ -41,14 +41,14 @@ void OverlayMarks::add_other_bones()
     std::uint32_t skeleton = 0;
     for (SkeletonCursor all = stage_.scene.skeletons(); !all.at_end(); ++skeleton) {
         all.skip();
-        if (!carriers_.contains(skeleton))
+        if (!deformers_.contains(skeleton))
             add_bones(skeleton, scene_.on_panel().canvas);
     }
 }
 
 void OverlayMarks::add_bones(std::uint32_t skeleton, const Space& space)
 {
-    carriers_.insert(skeleton);
+    deformers_.insert(skeleton);
     const std::vector<SeenBone> bones = seen_bones(scene_, skeleton, space);
     const auto& [origin, tip] = bones.front(); // a skeleton has at least one
     if (!skeletons_.emplace(skeleton, origin.x, origin.y, tip.x, tip.y).second)
@@ -116,10 +116,10 @@ void OverlayMarks::add_dot(Point at, MarkKind kind)
 bool OverlayMarks::add_label(PanelSpot at, std::size_t number, MarkKind kind)
 {
     std::string text = std::to_string(number);
-    const bool has_room = places_.take(at, text);
-    if (has_room)
+    const bool fits = places_.take(at, text);
+    if (fits)
         overlay_.labels.push_back({at, std::move(text), kind});
-    return has_room;
+    return fits;
 }
 
 }

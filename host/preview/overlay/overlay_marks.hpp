@@ -51,8 +51,8 @@ private:
     LabelPlaces places_;
     Overlay& overlay_;
     std::set<std::tuple<std::uint32_t, Fixed, Fixed, Fixed, Fixed>>
-        skeletons_;                    ///< drawn, by their first bones
-    std::set<std::uint32_t> carriers_; ///< drawn anywhere
+        skeletons_;                     ///< drawn, by their first bones
+    std::set<std::uint32_t> deformers_; ///< drawn anywhere
 };
 
 }

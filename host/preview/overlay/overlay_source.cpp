@@ -131,7 +131,7 @@ ItemFacts OverlaySource::facts(Time moment, std::size_t item)
     const std::optional<ItemView> view = posed.item(item);
     if (!view)
         return {};
-    const Moment at = posed.at(moment);
+    const SceneTime at = posed.at(moment);
     return facts_at(posed.on_panel(), *view, at);
 }
 

@@ -12,7 +12,7 @@ PosedScene::PosedScene(const SceneView& scene, Size panel, Fit fit)
 {
 }
 
-Moment PosedScene::at(Time moment) { return pose(std::clamp(moment, Time{}, scene().length())); }
+SceneTime PosedScene::at(Time moment) { return pose(std::clamp(moment, Time{}, scene().length())); }
 
 std::optional<ItemView> PosedScene::item(std::size_t number) const
 {
@@ -26,7 +26,7 @@ std::optional<ItemView> PosedScene::item(std::size_t number) const
 
 void PosedScene::visit(Time moment, const Visit& visit)
 {
-    const Moment posed = at(moment);
+    const SceneTime posed = at(moment);
     SceneWalk walk{on_panel(), SceneWalk::Opacity::of_leaves};
     while (walk.next() == SceneWalk::Step::leaf) {
         std::vector<std::size_t> numbers;

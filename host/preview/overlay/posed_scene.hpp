@@ -21,7 +21,7 @@ struct SeenLeaf {
     const ItemView& item;
     const Node& node;   ///< the same
     const Space& space; ///< from its own coordinates to the panel
-    const Moment& moment;
+    const SceneTime& moment;
     std::uint32_t path; ///< core/scene/item_view.hpp
     /// Its place in SceneFile::item_names, the last one, after those of the groups and uses around it.
     std::span<const std::size_t> numbers;
@@ -43,7 +43,7 @@ public:
     void visit(Time moment, const Visit& visit);
 
     /// Where all clocks stand at a moment, as for a visit. Valid until an input is set.
-    Moment at(Time moment);
+    SceneTime at(Time moment);
     /// Of that place in SceneFile::item_names; nothing if there is none.
     std::optional<ItemView> item(std::size_t number) const;
 

@@ -25,7 +25,7 @@ private:
 /// Along a bone: within 1/65536 px.
 Point tip_of(const BoneView& bone, const PosedBone& live)
 {
-    const Fixed length = Fixed::sixteenths(bone.at_rest(BoneQuantity::length)) + live.growth();
+    const Fixed length = Fixed::sixteenths(bone.at_rest(BoneQuantity::length)) + live.extension();
     const BoneFrame& frame = live.frame();
     return frame.origin + Point{Fixed::from_raw(multiply(length.raw(), frame.cosine, 30)),
                                 Fixed::from_raw(multiply(length.raw(), frame.sine, 30))};
@@ -56,7 +56,7 @@ std::vector<SeenBone> seen_bones(const PosedScene& scene, std::uint32_t skeleton
 std::vector<SeenBackbone> seen_backbones(const PosedScene& scene, const SeenLeaf& leaf)
 {
     const ObjectView& object = leaf.item.object;
-    if (leaf.item.kind != ItemKind::object || object.carrier != Carrier::backbones)
+    if (leaf.item.kind != ItemKind::object || object.deformer != Deformer::backbones)
         return {};
     const SceneOnPanel& on_panel = scene.on_panel();
     NoOutline nothing;

@@ -55,26 +55,26 @@ private:
 };
 
 /// The way on which an object stands at a key of its, if that leads anywhere.
-struct KeyWay {
+struct KeyTween {
     Key from;
     std::uint32_t arrival = 0;
     Key to;
-    Progress progress; ///< at one of its ends, but not so that one of the keys would be all
+    ProgressXY progress; ///< at one of its ends, but not so that one of the keys would be all
 };
 
-std::optional<KeyWay> way_at_key(const ObjectView& object, Time time)
+std::optional<KeyTween> tween_at_key(const ObjectView& object, Time time)
 {
-    constexpr Way hardly{1};
-    constexpr Way almost{Way::one - 1};
-    std::optional<KeyWay> before;
+    constexpr Progress hardly{1};
+    constexpr Progress almost{Progress::one - 1};
+    std::optional<KeyTween> before;
     KeyCursor keys = object.keys();
     Key from = keys.next();
     while (!keys.at_end()) {
         const Key to = keys.next();
         const std::uint32_t arrival = object.has_arrivals ? from.arrival : to.drawing;
         if (time < to.time)
-            return KeyWay{from, arrival, to, {hardly, hardly}};
-        before = KeyWay{from, arrival, to, {almost, almost}};
+            return KeyTween{from, arrival, to, {hardly, hardly}};
+        before = KeyTween{from, arrival, to, {almost, almost}};
         from = to;
     }
     return before;
@@ -83,24 +83,24 @@ std::optional<KeyWay> way_at_key(const ObjectView& object, Time time)
 /// The strokes of an object on its way from one drawing to another, in pairs also where it stands at a key.
 class MatchedObject {
 public:
-    MatchedObject(const SceneOnPanel& on_panel, const SeenLeaf& leaf, const KeyWay& way)
-        : on_panel_{on_panel}, object_{leaf.item.object}, moment_{leaf.moment}, way_{way}
+    MatchedObject(const SceneOnPanel& on_panel, const SeenLeaf& leaf, const KeyTween& tween)
+        : on_panel_{on_panel}, object_{leaf.item.object}, moment_{leaf.moment}, tween_{tween}
     {
     }
 
     void trace(const Affine& placement, StrokeList& strokes) const
     {
         std::optional<PosedBackbones> backbones;
-        if (object_.carrier == Carrier::backbones)
+        if (object_.deformer == Deformer::backbones)
             backbones = posed_backbones();
         const auto drawing = [this](bool is_second) {
-            return is_second ? carried(way_.arrival, way_.to.more)
-                             : carried(way_.from.drawing, way_.from.more);
+            return is_second ? deformed(tween_.arrival, tween_.to.more)
+                             : deformed(tween_.from.drawing, tween_.from.more);
         };
         const SceneView& scene = on_panel_.scene;
-        PosedStrokes{{scene.drawing(way_.from.drawing).strokes(), scene.drawing(way_.arrival).strokes()},
+        PosedStrokes{{scene.drawing(tween_.from.drawing).strokes(), scene.drawing(tween_.arrival).strokes()},
                      drawing,
-                     way_.progress,
+                     tween_.progress,
                      backbones ? &*backbones : nullptr,
                      placement}
             .trace(strokes);
@@ -111,17 +111,18 @@ public:
         const auto wires = [](const Key& key) {
             return WireDrawing{key.drawing, static_cast<std::uint32_t>(key.more)};
         };
-        PosedWires{on_panel_.scene.drawings(), wires(way_.from), wires(way_.to), way_.progress, projection}
+        PosedWires{on_panel_.scene.drawings(), wires(tween_.from), wires(tween_.to), tween_.progress,
+                   projection}
             .trace(strokes);
     }
 
 private:
-    CarriedDrawing carried(std::uint32_t drawing, std::int32_t skin) const
+    DeformedDrawing deformed(std::uint32_t drawing, std::int32_t skin) const
     {
         const SceneView& scene = on_panel_.scene;
         const PackedDrawing own = scene.drawing(drawing);
-        if (object_.carrier != Carrier::bones)
-            return CarriedDrawing{own};
+        if (object_.deformer != Deformer::bones)
+            return DeformedDrawing{own};
         const SkinReader reader = scene.skin(skin);
         return {own, reader.has_drawing_at_rest() ? scene.drawing(reader.drawing_at_rest()) : own, reader,
                 on_panel_.bones.subspan(scene.first_bone(object_.skeleton))};
@@ -139,12 +140,12 @@ private:
 
     const SceneOnPanel& on_panel_;
     const ObjectView& object_;
-    const Moment& moment_;
-    const KeyWay& way_;
+    const SceneTime& moment_;
+    const KeyTween& tween_;
 };
 
 /// Whether it is seen as one of its keys has it.
-bool stands_at_key(const SceneView& scene, const ObjectView& object, const Moment& moment)
+bool stands_at_key(const SceneView& scene, const ObjectView& object, const SceneTime& moment)
 {
     const KeyCursor keys = object.keys();
     const Time time = moment.at(keys.key_times().driver());
@@ -208,8 +209,9 @@ std::vector<SeenStroke> matched_strokes(const PosedScene& scene, const SeenLeaf&
     const ObjectView& object = leaf.item.object;
     if (leaf.item.kind != ItemKind::object || !stands_at_key(on_panel.scene, object, leaf.moment))
         return seen_strokes(scene, leaf);
-    const auto way = way_at_key(object, leaf.moment.at(object.keys().key_times().driver()));
-    return way ? strokes_of(on_panel, leaf, MatchedObject{on_panel, leaf, *way}) : seen_strokes(scene, leaf);
+    const auto tween = tween_at_key(object, leaf.moment.at(object.keys().key_times().driver()));
+    return tween ? strokes_of(on_panel, leaf, MatchedObject{on_panel, leaf, *tween})
+                 : seen_strokes(scene, leaf);
 }
 
 }

@@ -69,11 +69,11 @@ Quantity quantity_of(const SceneView& scene, std::string name, KeyCursor keys)
     return quantity;
 }
 
-void add_carriers(const SceneView& scene, const ItemView& item, std::vector<Quantity>& quantities)
+void add_deformers(const SceneView& scene, const ItemView& item, std::vector<Quantity>& quantities)
 {
-    if (item.object.carrier == Carrier::backbones)
+    if (item.object.deformer == Deformer::backbones)
         quantities.push_back(quantity_of(scene, "backbones", item.object.backbones.keys()));
-    if (item.object.carrier != Carrier::bones)
+    if (item.object.deformer != Deformer::bones)
         return;
     Quantity bones{"bones"};
     for (const Time time : bone_key_times(scene, item))
@@ -202,7 +202,7 @@ std::string text_of(const SceneView& scene, Driver driver, const QuantityKey* ke
     return text;
 }
 
-ItemFacts::Way way_at(const SceneView& scene, const Quantity& quantity, const Moment& moment)
+ItemFacts::Way way_at(const SceneView& scene, const Quantity& quantity, const SceneTime& moment)
 {
     const auto [before, after] = keys_around(quantity, moment.at(quantity.driver));
     std::string name = quantity.name;
@@ -218,7 +218,7 @@ std::vector<Quantity> quantities_of(const SceneView& scene, const ItemView& item
     std::vector<Quantity> quantities;
     if (item.kind == ItemKind::object) {
         quantities.push_back(quantity_of(scene, "shape", item.object.keys()));
-        add_carriers(scene, item, quantities);
+        add_deformers(scene, item, quantities);
     }
     for (TrackCursor tracks = item.tracks; !tracks.at_end();)
         if (const TrackView track = tracks.next(); !track.is_fixed)
@@ -240,7 +240,7 @@ KeysAround keys_around(const Quantity& quantity, Time moment)
     return around;
 }
 
-ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment)
+ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const SceneTime& moment)
 {
     const SceneView& scene = on_panel.scene;
     const auto node = std::ranges::find(on_panel.prepared.nodes(), scene.place_of(item.place), &Node::place);

@@ -58,6 +58,6 @@ struct ItemFacts {
 };
 
 /// `on_panel` has been moved to the moment.
-ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const Moment& moment);
+ItemFacts facts_at(const SceneOnPanel& on_panel, const ItemView& item, const SceneTime& moment);
 
 }

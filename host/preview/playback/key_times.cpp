@@ -27,7 +27,7 @@ public:
     {
         if (item.kind == ItemKind::object)
             add(item.object.keys().key_times());
-        if (item.kind == ItemKind::object && item.object.carrier == Carrier::backbones)
+        if (item.kind == ItemKind::object && item.object.deformer == Deformer::backbones)
             add(item.object.backbones.keys().key_times());
         for (TrackCursor tracks = item.tracks; !tracks.at_end();)
             add(tracks.next().keys.key_times());
@@ -57,7 +57,7 @@ std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Driver
 {
     KeyTimes times{driver};
     times.add(item);
-    if (item.kind == ItemKind::object && item.object.carrier == Carrier::bones)
+    if (item.kind == ItemKind::object && item.object.deformer == Deformer::bones)
         times.add(skeleton_of(scene, item.object.skeleton));
     return times.sorted();
 }

@@ -150,7 +150,7 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
     if (!take_points(outline.curves.size() + 1, node.name_span, context_))
         return false;
     Stroke stroke = quantized(outline);
-    if (!has_room(stroke.segments.size() + 1, node))
+    if (!has_capacity(stroke.segments.size() + 1, node))
         return false;
     if (outline.sector)
         sectors_.push_back({drawing_.strokes.size(), *outline.sector});
@@ -163,7 +163,7 @@ bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
 {
     if (!in_range(wire))
         return report_reach(node, context_);
-    if (!take_points(2 * wire.size(), node.name_span, context_) || !has_room(wire.size(), node))
+    if (!take_points(2 * wire.size(), node.name_span, context_) || !has_capacity(wire.size(), node))
         return false;
     WireStroke stroke = quantized(wire);
     drawing_.strokes.push_back(std::move(stroke.flat));
@@ -171,7 +171,7 @@ bool DrawingReader::add(const Wire& wire, const kdl::Node& node)
     return true;
 }
 
-bool DrawingReader::has_room(std::size_t points, const kdl::Node& node)
+bool DrawingReader::has_capacity(std::size_t points, const kdl::Node& node)
 {
     if (points > max_points - points_)
         return context_.report.error(node.name_span, too_many_points());

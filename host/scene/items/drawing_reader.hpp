@@ -44,7 +44,7 @@ private:
     void read_empty(const kdl::Node& node);
     void copy(const kdl::Node& node);
     bool goes_with_others(const kdl::Node& node);
-    bool has_room(std::size_t points, const kdl::Node& node);
+    bool has_capacity(std::size_t points, const kdl::Node& node);
     bool add(Outline outline, const kdl::Node& node);
     bool add(const Wire& wire, const kdl::Node& node);
 

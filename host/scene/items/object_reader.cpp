@@ -128,7 +128,7 @@ private:
         object.backbone_keys = read_skeletons(content.keys, context_);
         object.driver = properties_.driver.driver();
         object.live = live_;
-        refuse_two_carriers(content.keys);
+        refuse_two_deformers(content.keys);
     }
 
     void set_wires(const DrawingContent& content, Object& object)
@@ -141,18 +141,18 @@ private:
 
     void set_label(const DrawingContent& content, Object& object)
     {
-        refuse_carriers_of_label(content);
+        refuse_deformers_of_label(content);
         refuse_duplicates(content);
         object.label = read_label(*content.drawn.front(), context_);
         if (object.label)
             set_default_pivot(object.label->at, properties_.values);
     }
 
-    void refuse_carriers_of_label(const DrawingContent& content)
+    void refuse_deformers_of_label(const DrawingContent& content)
     {
         constexpr auto hint = "remove this, or write the words themselves";
-        const auto refuse = [this](SourceSpan place, std::string_view carrier) {
-            context_.report.error(place, "the text of an input has no " + std::string{carrier}, hint);
+        const auto refuse = [this](SourceSpan place, std::string_view deformer) {
+            context_.report.error(place, "the text of an input has no " + std::string{deformer}, hint);
         };
         for (const std::string_view property : {"skin", "bone"})
             if (has_property(node_, property))
@@ -275,7 +275,7 @@ private:
         refuse_duplicate_quantities(content.timed, properties_.values, content.keys, context_);
     }
 
-    void refuse_two_carriers(const std::vector<ItemKey>& keys)
+    void refuse_two_deformers(const std::vector<ItemKey>& keys)
     {
         const auto key = std::ranges::find_if(keys, has_skeleton);
         if (key != keys.end() && has_property(node_, "skin"))

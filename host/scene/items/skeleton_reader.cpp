@@ -87,7 +87,7 @@ private:
         for (std::size_t i = 0; i < nodes.size(); ++i)
             if (auto backbone = read_backbone(nodes[i], before_.empty() ? nullptr : &before_[i], context_))
                 read.push_back(std::move(*backbone));
-        if (read.size() < nodes.size() || !has_room(node, read))
+        if (read.size() < nodes.size() || !has_capacity(node, read))
             return std::nullopt;
         std::vector<Backbone> backbones;
         backbones.reserve(read.size());
@@ -97,7 +97,7 @@ private:
         return backbones;
     }
 
-    bool has_room(const kdl::Node& node, const std::vector<ReadBackbone>& backbones)
+    bool has_capacity(const kdl::Node& node, const std::vector<ReadBackbone>& backbones)
     {
         std::size_t points = 1;
         std::size_t segments = 0;

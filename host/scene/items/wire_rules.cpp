@@ -38,10 +38,10 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
             refuse(property_span(object, property), property, "turn the object, or a group around it");
     if (content.weights != nullptr && !has_property(object, "skin"))
         refuse(content.weights->name_span, "weights", "remove them");
-    const auto carried =
+    const auto deformed =
         std::ranges::find_if(content.keys, [](const ItemKey& key) { return key.skeleton != nullptr; });
-    if (carried != content.keys.end())
-        refuse(carried->skeleton->name_span, "skeleton", "turn the object, or a group around it");
+    if (deformed != content.keys.end())
+        refuse(deformed->skeleton->name_span, "skeleton", "turn the object, or a group around it");
     const auto matched =
         std::ranges::find_if(keys, [](const Key& key) { return key.match == Match::length; });
     if (matched != keys.end())

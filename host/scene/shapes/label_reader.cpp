@@ -114,7 +114,7 @@ std::int64_t widest_step(const Label& label)
     return advance + kerning + std::abs(std::int64_t{label.spacing});
 }
 
-bool has_room(const Label& label, const TextInput& input, const kdl::Node& node, SceneContext& context)
+bool has_capacity(const Label& label, const TextInput& input, const kdl::Node& node, SceneContext& context)
 {
     return widest_step(label) * input.max <= kfb::max_text_width ||
            context.report.error(node.name_span,
@@ -161,7 +161,7 @@ std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
         label.glyphs.push_back(std::move(*glyph));
     }
     label.kerning = maker.kerning(shown.text.glyphs);
-    if (!has_room(label, shown.text, node, context))
+    if (!has_capacity(label, shown.text, node, context))
         return std::nullopt;
     return label;
 }

@@ -16,7 +16,7 @@ struct Shape {
     int count = 5; ///< of tips or sides
     double radius = 0;
     std::optional<double> inner;
-    double turn = 0;
+    double rotation = 0;
 };
 
 bool read_count(const kdl::Value& value, Shape& shape, SceneContext& context)
@@ -36,7 +36,7 @@ bool read_inner(const kdl::Value& value, Shape& shape, SceneContext& context)
 
 bool read_turn(const kdl::Value& value, Shape& shape, SceneContext& context)
 {
-    return assign(read_number(value, angles, context.report), shape.turn);
+    return assign(read_number(value, angles, context.report), shape.rotation);
 }
 
 constexpr std::array star_rules{
@@ -61,7 +61,7 @@ std::vector<Outline> read_star(const kdl::Node& node, std::size_t, SceneContext&
     const auto centre = read_spot(node, context);
     if (!good || !centre)
         return {};
-    return {star(*centre, shape.count, shape.radius, shape.inner.value_or(shape.radius / 2), shape.turn)};
+    return {star(*centre, shape.count, shape.radius, shape.inner.value_or(shape.radius / 2), shape.rotation)};
 }
 
 std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, SceneContext& context)
@@ -71,7 +71,7 @@ std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, SceneConte
     const auto centre = read_spot(node, context);
     if (!good || !centre)
         return {};
-    return {regular_polygon(*centre, shape.count, shape.radius, shape.turn)};
+    return {regular_polygon(*centre, shape.count, shape.radius, shape.rotation)};
 }
 
 std::vector<PropertySchema> star_words() { return words_of(star_rules); }

@@ -31,9 +31,10 @@ double value_at(const Bone& bone, BoneQuantity quantity, Time time)
     if (to == keys.begin() || to == keys.end())
         return (to == keys.begin() ? keys.front() : keys.back()).value;
     const TrackKey& from = *(to - 1);
-    const Progress progress = progress_between(from.time, to->time, time, from.laws);
-    const Way way = quantity == BoneQuantity::y ? progress.y : progress.x;
-    return from.value + way_between(from, *to, goes_the_shortest_way(bone, quantity)) * way.raw / Way::one;
+    const ProgressXY progress = progress_between(from.time, to->time, time, from.laws);
+    const Progress eased = quantity == BoneQuantity::y ? progress.y : progress.x;
+    return from.value +
+           way_between(from, *to, goes_the_shortest_way(bone, quantity)) * eased.raw / Progress::one;
 }
 
 template <class ValuesOf>

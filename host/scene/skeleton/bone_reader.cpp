@@ -71,7 +71,7 @@ void BoneReader::read(const kdl::Node& node, std::optional<std::size_t> parent)
         return;
     }
     WrittenBone bone = read_bone(node, parent);
-    if (!has_room(bone))
+    if (!has_capacity(bone))
         return;
     is_good_ = bone.is_valid && is_good_;
     const std::size_t index = bones_.size();
@@ -111,7 +111,7 @@ WrittenBone BoneReader::read_bone(const kdl::Node& node, std::optional<std::size
     return bone;
 }
 
-bool BoneReader::has_room(const WrittenBone& bone)
+bool BoneReader::has_capacity(const WrittenBone& bone)
 {
     if (bones_.size() < max_bones)
         return true;

@@ -43,7 +43,7 @@ public:
 private:
     void read(const kdl::Node& node, std::optional<std::size_t> parent);
     WrittenBone read_bone(const kdl::Node& node, std::optional<std::size_t> parent);
-    bool has_room(const WrittenBone& bone);
+    bool has_capacity(const WrittenBone& bone);
     void find_parent(WrittenBone& bone);
 
     SceneContext& context_;

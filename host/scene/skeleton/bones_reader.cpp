@@ -47,7 +47,7 @@ void refuse_unknown_nodes(const kdl::Node& node, SceneContext& context)
                                  word_hint(child.name, known_nodes));
 }
 
-bool has_room(const Skeleton& skeleton, SceneContext& context)
+bool has_capacity(const Skeleton& skeleton, SceneContext& context)
 {
     if (context.skeletons.entries.size() == max_skeletons)
         return context.report.error(skeleton.bones.place,
@@ -108,7 +108,7 @@ void add_skeleton(const kdl::Node& node, SceneContext& context)
     if (skeleton.is_valid)
         read_movement(node, skeleton.bones.bones, context);
     const auto name = read_name(node.arguments.front(), context.report);
-    if (!name || !has_room(skeleton, context))
+    if (!name || !has_capacity(skeleton, context))
         return;
     skeleton.bones.name = *name;
     if (const auto earlier = context.skeletons.find(*name))

@@ -145,8 +145,8 @@ Vec2 target_at(const Reach& reach, Time time)
     const ReachTarget& from = *(to - 1);
     if (to == reach.targets.end())
         return from.spot;
-    const Way way = progress_between(from.time, to->time, time, {from.law, from.law}).x;
-    return from.spot + static_cast<double>(way.raw) / Way::one * (to->spot - from.spot);
+    const Progress progress = progress_between(from.time, to->time, time, {from.law, from.law}).x;
+    return from.spot + static_cast<double>(progress.raw) / Progress::one * (to->spot - from.spot);
 }
 
 std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, SceneContext& context)

@@ -2,10 +2,10 @@
 
 #include "host/scene_text/arrange/depth.hpp"
 #include "host/scene_text/arrange/folding.hpp"
-#include "host/scene_text/arrange/leaning.hpp"
 #include "host/scene_text/arrange/line_pens.hpp"
 #include "host/scene_text/arrange/paints.hpp"
 #include "host/scene_text/arrange/ranges.hpp"
+#include "host/scene_text/arrange/skewing.hpp"
 #include "host/scene_text/arrange/unseen.hpp"
 
 namespace kfast::scene_text {

@@ -18,8 +18,8 @@ using art::Affine;
 using art::Animated;
 using art::Channel;
 using art::Drawing;
-using art::Figure;
 using art::Node;
+using art::Shape;
 
 /// What acts on a node, over time, and the keys of it.
 struct Action {
@@ -69,7 +69,7 @@ public:
             for (Node& inner : group->nodes)
                 this->node(inner, action);
         else
-            figure(std::get<Figure>(node.content), node.name, action);
+            shape(std::get<Shape>(node.content), node.name, action);
     }
 
 private:
@@ -87,14 +87,14 @@ private:
         return action;
     }
 
-    void figure(Figure& figure, const std::string& name, const Action& action) const
+    void shape(Shape& shape, const std::string& name, const Action& action) const
     {
-        if (figure.skin)
+        if (shape.skin)
             return lose("a figure that bones carry, so deep inside of groups", name,
                         "it stays where it is drawn");
-        if (figure.line)
-            bake_width(figure.line->width, action);
-        bake_drawing(figure.drawing, name, action);
+        if (shape.stroke)
+            bake_width(shape.stroke->width, action);
+        bake_drawing(shape.drawing, name, action);
     }
 
     void bake_width(Channel& width, const Action& action) const
@@ -104,7 +104,7 @@ private:
         width = art::baked_channel(
             [&, given = width](double time) {
                 arranging_.budget.take_computed_points(action.depth);
-                return given.at(time) * growth_of(action.at(time));
+                return given.at(time) * scale_factor_of(action.at(time));
             },
             baking_of(std::move(critical), arranging_.tolerance));
     }

@@ -12,9 +12,9 @@ namespace {
 
 using art::Affine;
 using art::Channel;
-using art::Figure;
 using art::Group;
 using art::Node;
+using art::Shape;
 using art::Transform;
 
 bool is_move(const Affine& affine)
@@ -31,7 +31,10 @@ bool has_simple_place(const Transform& transform)
            go_alike(transform.x, transform.y);
 }
 
-bool never_turns(const Transform& transform) { return transform.rotate == Channel{0} && !leans(transform); }
+bool never_turns(const Transform& transform)
+{
+    return transform.rotate == Channel{0} && !is_skewed(transform);
+}
 
 bool turns_with_path(const Transform& transform) { return transform.path && transform.path->turns; }
 
@@ -47,7 +50,7 @@ bool can_take(const Affine& affine, const Transform& transform)
         return false;
     if (placement->is_even() && !placement->is_mirrored())
         return is_upright(*placement) || has_simple_place(transform);
-    if (leans(transform))
+    if (is_skewed(transform))
         return false;
     if (placement->is_even())
         return is_upright(*placement) || has_simple_place(transform);
@@ -87,34 +90,34 @@ void take(const Affine& affine, Transform& transform)
     transform.scale_y = scaled(transform.scale_y, placement.scale_y);
 }
 
-bool can_take(const Affine& affine, const Figure& figure)
+bool can_take(const Affine& affine, const Shape& shape)
 {
-    return !figure.skin && (!figure.line || affine.determinant() != 0);
+    return !shape.skin && (!shape.stroke || affine.determinant() != 0);
 }
 
-void take(const Affine& affine, Figure& figure)
+void take(const Affine& affine, Shape& shape)
 {
-    for (auto& key : figure.drawing.keys)
+    for (auto& key : shape.drawing.keys)
         for (scene::Outline& outline : key.value.outlines)
             outline = affine.of(outline);
-    if (figure.line)
-        figure.line->width = scaled(figure.line->width, growth_of(affine));
+    if (shape.stroke)
+        shape.stroke->width = scaled(shape.stroke->width, scale_factor_of(affine));
 }
 
 }
 
 bool content_can_take(const Affine& affine, const Node& node)
 {
-    if (const auto* const figure = std::get_if<Figure>(&node.content))
-        return can_take(affine, *figure);
+    if (const auto* const shape = std::get_if<Shape>(&node.content))
+        return can_take(affine, *shape);
     const auto can = [&](const Node& inner) { return can_take(affine, inner); };
     return std::ranges::all_of(std::get<Group>(node.content).nodes, can);
 }
 
 void content_takes(const Affine& affine, Node& node)
 {
-    if (auto* const figure = std::get_if<Figure>(&node.content))
-        return take(affine, *figure);
+    if (auto* const shape = std::get_if<Shape>(&node.content))
+        return take(affine, *shape);
     for (Node& inner : std::get<Group>(node.content).nodes)
         take(affine, inner);
 }

@@ -74,7 +74,7 @@ private:
     {
         check(bone.from);
         check(bone.to);
-        for (const art::Channel* channel : {&bone.turn, &bone.x, &bone.y})
+        for (const art::Channel* channel : {&bone.rotation, &bone.x, &bone.y})
             check(*channel);
         if (bone.length)
             check(*bone.length);
@@ -93,22 +93,22 @@ private:
         check(transform.path->share);
     }
 
-    void check(const art::Figure& figure) const
+    void check(const art::Shape& shape) const
     {
-        check(figure.drawing);
-        if (figure.fill) {
-            check(figure.fill->colour);
-            check(figure.fill->opacity);
+        check(shape.drawing);
+        if (shape.fill) {
+            check(shape.fill->colour);
+            check(shape.fill->opacity);
         }
-        if (figure.line) {
-            check(figure.line->colour);
-            check(figure.line->opacity);
-            check(figure.line->width);
-            check(figure.line->miter_limit);
+        if (shape.stroke) {
+            check(shape.stroke->colour);
+            check(shape.stroke->opacity);
+            check(shape.stroke->width);
+            check(shape.stroke->miter_limit);
         }
-        if (figure.skin)
-            for (const auto& point : figure.skin->points)
-                for (const art::BoneShare& share : point)
+        if (shape.skin)
+            for (const auto& point : shape.skin->points)
+                for (const art::BoneInfluence& share : point)
                     check(share.weight);
     }
 
@@ -122,7 +122,7 @@ private:
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 check(group->nodes);
             else
-                check(std::get<art::Figure>(node.content));
+                check(std::get<art::Shape>(node.content));
         }
     }
 

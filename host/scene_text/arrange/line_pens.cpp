@@ -36,7 +36,7 @@ public:
             around_.push_back(&node);
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 look_at(group->nodes);
-            else if (std::get<art::Figure>(node.content).line)
+            else if (std::get<art::Shape>(node.content).stroke)
                 look_at_line();
             around_.pop_back();
         }

@@ -11,15 +11,15 @@ namespace kfast::scene_text {
 namespace {
 
 using art::Channel;
-using art::Figure;
 using art::Group;
 using art::Node;
+using art::Shape;
 
 /// A key of an object has one law for both colours.
-bool have_laws_in_common(const Figure& figure, std::int32_t length)
+bool have_laws_in_common(const Shape& shape, std::int32_t length)
 {
-    const auto fills = paint_keys(*figure.fill, length);
-    const auto lines = paint_keys(*figure.line, length);
+    const auto fills = paint_keys(*shape.fill, length);
+    const auto lines = paint_keys(*shape.stroke, length);
     std::map<std::int32_t, std::string> laws;
     for (std::size_t i = 0; i + 1 < fills.size(); ++i)
         laws[fills[i].ticks] = fills[i].law;
@@ -29,48 +29,48 @@ bool have_laws_in_common(const Figure& figure, std::int32_t length)
     return true;
 }
 
-bool needs_two(const Figure& figure, std::int32_t length)
+bool needs_two(const Shape& shape, std::int32_t length)
 {
-    return figure.fill && figure.line &&
-           (!figure.fill->opacity.is_still() || !figure.line->opacity.is_still() ||
-            !have_laws_in_common(figure, length));
+    return shape.fill && shape.stroke &&
+           (!shape.fill->opacity.is_still() || !shape.stroke->opacity.is_still() ||
+            !have_laws_in_common(shape, length));
 }
 
 /// Has the content alone.
-Node part_of(Figure figure, const std::string& name)
+Node part_of(Shape shape, const std::string& name)
 {
     return {.name = name,
             .transform = {},
             .opacity = {1},
             .shown = std::vector{art::Span{}},
             .parent_tag = 0,
-            .content = std::move(figure)};
+            .content = std::move(shape)};
 }
 
 void make_two(Node& node)
 {
-    Figure fill = std::get<Figure>(node.content);
-    Figure line = fill;
-    fill.line.reset();
-    line.fill.reset();
+    Shape fill = std::get<Shape>(node.content);
+    Shape stroke = fill;
+    fill.stroke.reset();
+    stroke.fill.reset();
     const std::string line_name = node.name.empty() ? std::string{} : node.name + "-line";
     std::vector<Node> parts;
     parts.push_back(part_of(std::move(fill), node.name));
-    parts.push_back(part_of(std::move(line), line_name));
+    parts.push_back(part_of(std::move(stroke), line_name));
     node.content = Group{std::move(parts)};
 }
 
 /// Of the only paint.
-Channel& opacity_of(Figure& figure) { return figure.fill ? figure.fill->opacity : figure.line->opacity; }
+Channel& opacity_of(Shape& shape) { return shape.fill ? shape.fill->opacity : shape.stroke->opacity; }
 
 void move_opacity(Node& node)
 {
-    const Channel opacity = std::exchange(opacity_of(std::get<Figure>(node.content)), Channel{1});
+    const Channel opacity = std::exchange(opacity_of(std::get<Shape>(node.content)), Channel{1});
     if (has_product(node.opacity, opacity)) {
         node.opacity = product(node.opacity, opacity);
         return;
     }
-    Node part = part_of(std::move(std::get<Figure>(node.content)), node.name);
+    Node part = part_of(std::move(std::get<Shape>(node.content)), node.name);
     part.opacity = opacity;
     std::vector<Node> parts;
     parts.push_back(std::move(part));
@@ -79,10 +79,10 @@ void move_opacity(Node& node)
 
 void part_paints_of(Node& node, std::int32_t length)
 {
-    if (auto* const figure = std::get_if<Figure>(&node.content); figure != nullptr) {
-        if (needs_two(*figure, length))
+    if (auto* const shape = std::get_if<Shape>(&node.content); shape != nullptr) {
+        if (needs_two(*shape, length))
             make_two(node);
-        else if (!(figure->fill && figure->line) && !opacity_of(*figure).is_still())
+        else if (!(shape->fill && shape->stroke) && !opacity_of(*shape).is_still())
             move_opacity(node);
     }
     if (auto* const group = std::get_if<Group>(&node.content))

@@ -35,7 +35,8 @@ bool is_identity(const Transform& transform)
 {
     return !transform.path && is(transform.x, 0) && is(transform.y, 0) && is(transform.z, 0) &&
            is(transform.anchor_x, 0) && is(transform.anchor_y, 0) && is(transform.scale_x, 1) &&
-           is(transform.scale_y, 1) && is(transform.rotate, 0) && lies_flat(transform) && !leans(transform);
+           is(transform.scale_y, 1) && is(transform.rotate, 0) && lies_flat(transform) &&
+           !is_skewed(transform);
 }
 
 bool is_still(const Transform& transform)
@@ -47,7 +48,7 @@ bool is_still(const Transform& transform)
 
 bool lies_flat(const Transform& transform) { return is(transform.rotate_x, 0) && is(transform.rotate_y, 0); }
 
-bool leans(const Transform& transform) { return !is(transform.skew, 0); }
+bool is_skewed(const Transform& transform) { return !is(transform.skew, 0); }
 
 bool Placement::is_even() const { return near(std::abs(scale_x), std::abs(scale_y)); }
 
@@ -80,7 +81,7 @@ Transform transform_of(const Placement& placement)
     return transform;
 }
 
-double growth_of(const Affine& affine) { return std::sqrt(std::abs(affine.determinant())); }
+double scale_factor_of(const Affine& affine) { return std::sqrt(std::abs(affine.determinant())); }
 
 double distortion_of(const Affine& affine)
 {

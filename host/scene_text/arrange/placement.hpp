@@ -14,7 +14,7 @@ bool is_still(const art::Transform& transform);
 /// Whether nothing turns it out of the plane of the canvas.
 bool lies_flat(const art::Transform& transform);
 /// Whether it leans at any time.
-bool leans(const art::Transform& transform);
+bool is_skewed(const art::Transform& transform);
 
 /// What an affine map is made of, if it turns and grows, perhaps unevenly or mirrored, but does not lean.
 struct Placement {
@@ -34,7 +34,7 @@ std::optional<Placement> placement_of(const art::Affine& affine);
 art::Transform transform_of(const Placement& placement);
 
 /// How much larger lengths become, on average over all directions: the square root of what areas grow by.
-double growth_of(const art::Affine& affine);
+double scale_factor_of(const art::Affine& affine);
 
 /// By how much a circle becomes longer than it is wide: 0 if it stays one.
 double distortion_of(const art::Affine& affine);

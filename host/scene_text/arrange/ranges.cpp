@@ -14,9 +14,9 @@ namespace kfast::scene_text {
 namespace {
 
 using art::Channel;
-using art::Figure;
 using art::Group;
 using art::Node;
+using art::Shape;
 using art::Transform;
 
 /// From here on, what 1/16 px is rounded to shows.
@@ -49,8 +49,8 @@ double reach_of(const art::Drawing& drawing)
 double reach_of(const Node& node)
 {
     double reach = std::max(largest(node.transform.anchor_x), largest(node.transform.anchor_y));
-    if (const auto* const figure = std::get_if<Figure>(&node.content))
-        for (const auto& key : figure->drawing.keys)
+    if (const auto* const shape = std::get_if<Shape>(&node.content))
+        for (const auto& key : shape->drawing.keys)
             reach = std::max(reach, reach_of(key.value));
     return reach;
 }
@@ -112,10 +112,10 @@ private:
     /// The content grows by `factor`, and the node so much less.
     static void draw_larger(Node& node, double factor)
     {
-        const art::Affine growth = art::grown(factor, factor);
-        if (!content_can_take(growth, node))
+        const art::Affine scaling = art::grown(factor, factor);
+        if (!content_can_take(scaling, node))
             return;
-        content_takes(growth, node);
+        content_takes(scaling, node);
         Transform& transform = node.transform;
         transform.anchor_x = scaled(transform.anchor_x, factor);
         transform.anchor_y = scaled(transform.anchor_y, factor);
@@ -136,8 +136,8 @@ private:
     {
         if (!lies_flat(node.transform))
             return;
-        const art::Affine growth = art::grown(1 / factor, 1 / factor);
-        if (!can_take(growth, node))
+        const art::Affine scaling = art::grown(1 / factor, 1 / factor);
+        if (!can_take(scaling, node))
             return;
         Node outer{.name = {},
                    .transform = transform_of({0, 0, 0, factor, factor}),
@@ -145,7 +145,7 @@ private:
                    .shown = std::vector{art::Span{}},
                    .parent_tag = 0,
                    .content = Group{}};
-        take(growth, node);
+        take(scaling, node);
         std::get<Group>(outer.content).nodes.push_back(std::move(node));
         node = std::move(outer);
     }
@@ -164,8 +164,8 @@ private:
         if (reach_of(node) > coordinates.high || distance_of(transform) > coordinates.high ||
             exceeds(transform.z, coordinates))
             lose("coordinates beyond 2047 px", node);
-        if (const auto* const figure = std::get_if<Figure>(&node.content);
-            figure != nullptr && figure->line && exceeds(figure->line->width, widths))
+        if (const auto* const shape = std::get_if<Shape>(&node.content);
+            shape != nullptr && shape->stroke && exceeds(shape->stroke->width, widths))
             lose("a line wider than 4095 px", node);
     }
 

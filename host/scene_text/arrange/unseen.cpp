@@ -10,19 +10,19 @@ namespace kfast::scene_text {
 namespace {
 
 using art::Channel;
-using art::Figure;
 using art::Group;
 using art::Node;
+using art::Shape;
 
 bool is_always_zero(const Channel& channel, const Grid& grid)
 {
     return std::ranges::all_of(channel.keys, [&](const auto& key) { return on_grid(key.value, grid) <= 0; });
 }
 
-bool draws(const Figure& figure)
+bool draws(const Shape& shape)
 {
     const auto is_drawn = [](const auto& key) { return !key.value.outlines.empty(); };
-    return (figure.fill || figure.line) && std::ranges::any_of(figure.drawing.keys, is_drawn);
+    return (shape.fill || shape.stroke) && std::ranges::any_of(shape.drawing.keys, is_drawn);
 }
 
 bool is_shown(const Node& node, std::int32_t length)
@@ -39,13 +39,13 @@ bool is_seen(Node& node, std::int32_t length)
         drop_unseen(group->nodes, length);
         return !group->nodes.empty();
     }
-    auto& figure = std::get<Figure>(node.content);
-    if (figure.fill && is_always_zero(figure.fill->opacity, opacities))
-        figure.fill.reset();
-    if (figure.line &&
-        (is_always_zero(figure.line->opacity, opacities) || is_always_zero(figure.line->width, widths)))
-        figure.line.reset();
-    return draws(figure);
+    auto& shape = std::get<Shape>(node.content);
+    if (shape.fill && is_always_zero(shape.fill->opacity, opacities))
+        shape.fill.reset();
+    if (shape.stroke &&
+        (is_always_zero(shape.stroke->opacity, opacities) || is_always_zero(shape.stroke->width, widths)))
+        shape.stroke.reset();
+    return draws(shape);
 }
 
 bool is_plain(const Node& node)

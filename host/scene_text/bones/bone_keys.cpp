@@ -18,7 +18,7 @@ using art::Channel;
 constexpr double pieces_per_frame = 2;
 constexpr double max_pieces = 64;
 
-enum Quantity : std::size_t { turn, x, y, length, quantity_count };
+enum Quantity : std::size_t { rotation, x, y, length, quantity_count };
 using Quantities = std::array<Channel, quantity_count>;
 
 std::vector<double> times_of(const Quantities& quantities)
@@ -56,7 +56,7 @@ std::optional<std::string> common_law(const std::optional<std::string>& one,
 class BoneWays {
 public:
     explicit BoneWays(const Bone& bone)
-        : quantities_{bone.turn, bone.x, bone.y,
+        : quantities_{bone.rotation, bone.x, bone.y,
                       bone.length.value_or(Channel{scene::distance(bone.from, bone.to)})}
     {
     }
@@ -79,7 +79,7 @@ private:
         const auto law_of_quantity = [&](Quantity quantity) {
             return law_between(quantities_[quantity], from, to, is_one);
         };
-        const auto law = common_law(law_of_quantity(turn), law_of_quantity(length), is_one);
+        const auto law = common_law(law_of_quantity(rotation), law_of_quantity(length), is_one);
         const auto place_law = common_law(law_of_quantity(x), law_of_quantity(y), is_one);
         if (is_one)
             return add(from, law, place_law);
@@ -90,8 +90,9 @@ private:
 
     void add(double time, std::optional<std::string> law, std::optional<std::string> place_law)
     {
-        keys_.push_back({time, quantities_[turn].at(time), quantities_[x].at(time), quantities_[y].at(time),
-                         quantities_[length].at(time), std::move(law), std::move(place_law)});
+        keys_.push_back({time, quantities_[rotation].at(time), quantities_[x].at(time),
+                         quantities_[y].at(time), quantities_[length].at(time), std::move(law),
+                         std::move(place_law)});
     }
 
     Quantities quantities_;
@@ -116,7 +117,7 @@ bool changes_length(const Bone& bone)
 
 std::vector<BoneKey> bone_keys(const Bone& bone)
 {
-    if (is_zero(bone.turn) && is_zero(bone.x) && is_zero(bone.y) && !changes_length(bone))
+    if (is_zero(bone.rotation) && is_zero(bone.x) && is_zero(bone.y) && !changes_length(bone))
         return {};
     return BoneWays{bone}.keys();
 }

@@ -11,7 +11,7 @@ namespace kfast::scene_text {
 /// A bone at a moment; all of its quantities have a key then.
 struct BoneKey {
     double time = 0;
-    double turn = 0;
+    double rotation = 0;
     double x = 0;
     double y = 0;
     double length = 0;

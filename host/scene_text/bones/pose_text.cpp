@@ -58,7 +58,7 @@ private:
             hold(key, room);
         for (std::size_t i = 0; i < keys.size(); ++i) {
             place(keys[i], bone_node(bone, name, keys[i]));
-            if (i > 0 && std::abs(keys[i].turn - keys[i - 1].turn) > widest_turn)
+            if (i > 0 && std::abs(keys[i].rotation - keys[i - 1].rotation) > widest_turn)
                 turns_wide_ = true;
         }
     }
@@ -98,7 +98,7 @@ private:
     static kdl::Node bone_node(const art::Bone& bone, const std::string& name, const BoneKey& key)
     {
         kdl::Node node = named_node(name);
-        add_number(node, "turn", key.turn, turns);
+        add_number(node, "turn", key.rotation, turns);
         add_number(node, "x", key.x, coordinates);
         add_number(node, "y", key.y, coordinates);
         if (changes_length(bone))

@@ -27,7 +27,7 @@ void collect_rigs(const std::vector<art::Node>& nodes, std::set<std::size_t>& ri
     for (const art::Node& node : nodes)
         if (const auto* const group = std::get_if<art::Group>(&node.content))
             collect_rigs(group->nodes, rigs);
-        else if (const auto& skin = std::get<art::Figure>(node.content).skin)
+        else if (const auto& skin = std::get<art::Shape>(node.content).skin)
             rigs.insert(skin->rig);
 }
 
@@ -106,7 +106,7 @@ void report_ranges(const Rig& rig, art::Losses& losses)
         lose("coordinates of bones beyond 2047 px");
     else if (std::ranges::any_of(rig.bones, [&](const Bone& bone) { return leaves_room(bone, rig); }))
         lose("a bone that begins more than 2047 px from its parent's origin");
-    if (std::ranges::any_of(rig.bones, [](const Bone& bone) { return exceeds(bone.turn, turns); }))
+    if (std::ranges::any_of(rig.bones, [](const Bone& bone) { return exceeds(bone.rotation, turns); }))
         lose("a bone that turns more than 15 times");
     if (std::ranges::any_of(rig.bones,
                             [](const Bone& bone) { return bone.length && exceeds(*bone.length, widths); }))

@@ -11,11 +11,11 @@ namespace {
 
 constexpr Grid fine_weights{4096, 1, 0, 1000};
 
-scene::Binding binding_of(const std::vector<art::BoneShare>& shares)
+scene::Binding binding_of(const std::vector<art::BoneInfluence>& shares)
 {
     std::vector<scene::WeightedBone> bones;
     bones.reserve(shares.size());
-    for (const art::BoneShare& share : shares)
+    for (const art::BoneInfluence& share : shares)
         bones.push_back({share.bone, share.weight});
     return scene::bound(std::move(bones));
 }

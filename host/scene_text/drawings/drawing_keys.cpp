@@ -22,19 +22,19 @@ void check_points(const art::Drawing& drawing)
 
 }
 
-DrawingKeys drawing_keys(const art::Figure& figure, std::int32_t length)
+DrawingKeys drawing_keys(const art::Shape& shape, std::int32_t length)
 {
     DrawingKeys keys =
-        stored_keys(figure.drawing, length, [](const art::Drawing& drawing) { return on_grid(drawing); });
+        stored_keys(shape.drawing, length, [](const art::Drawing& drawing) { return on_grid(drawing); });
     std::vector<art::Drawing*> drawings;
     for (auto& key : keys) {
         check_points(key.value);
-        if (figure.line || figure.skin)
+        if (shape.stroke || shape.skin)
             keep_open(key.value);
         if (!key.value.outlines.empty())
             drawings.push_back(&key.value);
     }
-    if (keys.size() > 1 || figure.skin)
+    if (keys.size() > 1 || shape.skin)
         keep_segments(drawings);
     return keys;
 }

@@ -41,8 +41,8 @@ std::vector<kdl::Node> item_nodes(const std::vector<art::Node>& nodes, Writing& 
     std::vector<kdl::Node> items;
     items.reserve(nodes.size());
     for (const art::Node& node : nodes)
-        items.push_back(std::holds_alternative<art::Figure>(node.content) ? object_node(node, writing)
-                                                                          : group_node(node, writing));
+        items.push_back(std::holds_alternative<art::Shape>(node.content) ? object_node(node, writing)
+                                                                         : group_node(node, writing));
     return items;
 }
 

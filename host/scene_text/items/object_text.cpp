@@ -18,7 +18,7 @@
 namespace kfast::scene_text {
 namespace {
 
-using art::Figure;
+using art::Shape;
 
 constexpr std::array<std::string_view, 3> cap_words{"butt", "round", "square"};
 constexpr std::array<std::string_view, 3> join_words{"miter", "round", "bevel"};
@@ -37,9 +37,8 @@ struct Moment {
 class ObjectText {
 public:
     ObjectText(const art::Node& node, Writing& writing)
-        : node_{node}, figure_{std::get<Figure>(node.content)}, writing_{writing}, drawings_{drawing_keys(
-                                                                                       figure_,
-                                                                                       writing.length)}
+        : node_{node}, shape_{std::get<Shape>(node.content)}, writing_{writing}, drawings_{drawing_keys(
+                                                                                     shape_, writing.length)}
     {
     }
 
@@ -51,8 +50,8 @@ public:
         add_line();
         add_visibility();
         add_shapes();
-        if (figure_.skin)
-            add_skin(object_, *figure_.skin, writing_.rigs[figure_.skin->rig]);
+        if (shape_.skin)
+            add_skin(object_, *shape_.skin, writing_.rigs[shape_.skin->rig]);
         add_width();
         add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_);
         return std::move(object_);
@@ -61,25 +60,25 @@ public:
 private:
     void add_fill()
     {
-        if (!figure_.fill)
+        if (!shape_.fill)
             return;
-        add_paint("fill", *figure_.fill, name_, &Moment::fill);
-        if (figure_.fill->rule == FillRule::even_odd)
+        add_paint("fill", *shape_.fill, name_, &Moment::fill);
+        if (shape_.fill->rule == FillRule::even_odd)
             set(object_, "rule", text("even-odd"));
     }
 
     void add_line()
     {
-        if (!figure_.line)
+        if (!shape_.stroke)
             return;
-        const art::Line& line = *figure_.line;
-        add_paint("stroke", line, figure_.fill ? name_ + "-line" : name_, &Moment::stroke);
-        if (line.cap != Cap::butt)
-            set(object_, "cap", text(std::string{cap_words[static_cast<std::size_t>(line.cap)]}));
-        if (line.join != Join::miter)
-            set(object_, "join", text(std::string{join_words[static_cast<std::size_t>(line.join)]}));
-        const std::int32_t miter = on_grid(line.miter_limit, miters);
-        if (line.join == Join::miter && miter != default_miter_limit)
+        const art::StrokeStyle& stroke = *shape_.stroke;
+        add_paint("stroke", stroke, shape_.fill ? name_ + "-line" : name_, &Moment::stroke);
+        if (stroke.cap != Cap::butt)
+            set(object_, "cap", text(std::string{cap_words[static_cast<std::size_t>(stroke.cap)]}));
+        if (stroke.join != Join::miter)
+            set(object_, "join", text(std::string{join_words[static_cast<std::size_t>(stroke.join)]}));
+        const std::int32_t miter = on_grid(stroke.miter_limit, miters);
+        if (stroke.join == Join::miter && miter != default_miter_limit)
             set(object_, "miter", number(miter, miters));
     }
 
@@ -135,7 +134,7 @@ private:
             if (i + 1 == drawings_.size())
                 continue;
             moment.drawing_law = key.law;
-            moment.matches_length = figure_.matches_length && !figure_.skin && key.law != "hold" &&
+            moment.matches_length = shape_.matches_length && !shape_.skin && key.law != "hold" &&
                                     !same_form(key.value, drawings_[i + 1].value);
         }
     }
@@ -168,9 +167,9 @@ private:
 
     void add_width()
     {
-        if (!figure_.line)
+        if (!shape_.stroke)
             return;
-        const NumberKeys keys = stored_keys(figure_.line->width, writing_.length, widths);
+        const NumberKeys keys = stored_keys(shape_.stroke->width, writing_.length, widths);
         const bool is_still = keys.size() == 1;
         add_quantity(object_, "width", is_still ? held(keys) : keys, is_still ? still_widths : widths,
                      on_grid(1, widths));
@@ -184,7 +183,7 @@ private:
     }
 
     const art::Node& node_;
-    const Figure& figure_;
+    const Shape& shape_;
     Writing& writing_;
     std::vector<StoredKey<art::Drawing>> drawings_;
     std::string name_ = {};

@@ -49,16 +49,16 @@ class Spread {
 public:
     explicit Spread(double tile) : tile_{tile} {}
 
-    void add(const Part& part, double growth, double opacity)
+    void add(const Part& part, double area_factor, double opacity)
     {
-        growth *= std::abs(part.own.determinant());
+        area_factor *= std::abs(part.own.determinant());
         opacity *= part.opacity;
         if (part.fill)
-            add(*part.fill, growth * fill_area(part.drawing), opacity);
+            add(*part.fill, area_factor * fill_area(part.drawing), opacity);
         if (part.pen)
-            add(part.pen->ink, growth * line_area(part.drawing, part.pen->width), opacity);
+            add(part.pen->ink, area_factor * line_area(part.drawing, part.pen->width), opacity);
         for (const Part& inner : part.parts)
-            add(inner, growth, opacity);
+            add(inner, area_factor, opacity);
     }
 
     const Ink& ink() const { return ink_; }

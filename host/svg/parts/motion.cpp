@@ -91,16 +91,17 @@ std::optional<Affine> similarity(const art::Drawing& from, const art::Drawing& t
     const Vec2 middle = mean(before);
     const Vec2 new_middle = mean(after);
     double extent = 0;
-    Vec2 turn;
+    Vec2 rotation;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Vec2 one = before[i] - middle;
         const Vec2 other = after[i] - new_middle;
         extent += scene::dot(one, one);
-        turn = turn + Vec2{scene::dot(one, other), scene::cross(one, other)};
+        rotation = rotation + Vec2{scene::dot(one, other), scene::cross(one, other)};
     }
-    turn = extent > 0 ? (1 / extent) * turn : Vec2{1, 0};
+    rotation = extent > 0 ? (1 / extent) * rotation : Vec2{1, 0};
     const Affine result = art::moved(new_middle.x, new_middle.y) *
-                          Affine{turn.x, turn.y, -turn.y, turn.x, 0, 0} * art::moved(-middle.x, -middle.y);
+                          Affine{rotation.x, rotation.y, -rotation.y, rotation.x, 0, 0} *
+                          art::moved(-middle.x, -middle.y);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (!(scene::distance(result.of(before[i]), after[i]) <= tolerance))
             return std::nullopt;

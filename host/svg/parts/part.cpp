@@ -43,10 +43,10 @@ public:
     {
         for (const Part& inner : part.parts)
             add(inner, affine * inner.own);
-        const double growth =
+        const double scale_factor =
             part.pen && !part.pen->keeps_width ? std::sqrt(std::abs(affine.determinant())) : 1;
         for (const scene::Outline& outline : part.drawing.outlines)
-            add(affine.of(outline), part.pen && with_lines_ ? growth * part.pen->width / 2 : 0);
+            add(affine.of(outline), part.pen && with_lines_ ? scale_factor * part.pen->width / 2 : 0);
     }
 
     const std::optional<Box>& box() const { return box_; }

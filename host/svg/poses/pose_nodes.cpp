@@ -2,9 +2,9 @@
 
 #include "host/svg/elements/element_outlines.hpp"
 #include "host/svg/parts/motion.hpp"
-#include "host/svg/poses/figure_keys.hpp"
 #include "host/svg/poses/moments.hpp"
 #include "host/svg/poses/part_match.hpp"
+#include "host/svg/poses/shape_keys.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -57,7 +57,7 @@ public:
         art::Budget::check_depth(depth);
         if (first_part(moments).is_group)
             add_group(moments, nodes, depth);
-        else if (auto node = figure_node(moments, budget_, losses_))
+        else if (auto node = shape_node(moments, budget_, losses_))
             nodes.push_back(std::move(*node));
     }
 

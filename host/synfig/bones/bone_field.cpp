@@ -105,10 +105,10 @@ std::vector<BonePair> BoneField::pairs_at(double frame) const
 
 Vec2 BoneField::in_units(Vec2 place) const { return inverse(layer_.reading().to_canvas).of(place); }
 
-std::vector<art::BoneShare> BoneField::shares(Vec2 place) const
+std::vector<art::BoneInfluence> BoneField::shares(Vec2 place) const
 {
     const Vec2 at = in_units(place);
-    std::vector<art::BoneShare> shares;
+    std::vector<art::BoneInfluence> shares;
     for (std::size_t i = 0; i < rests_.size(); ++i)
         if (const double depth = depth_in(rests_[i], margin_, at); depth > 1e-10) {
             const double distance = std::max(nearest_distance, distance_to_bone(rests_[i], at));
@@ -152,7 +152,7 @@ Vec2 BoneField::deformed(Vec2 place, double frame) const
 {
     Vec2 total;
     double weights = 0;
-    for (const art::BoneShare& share : shares(place)) {
+    for (const art::BoneInfluence& share : shares(place)) {
         total = total + share.weight * carrying(share.bone, frame).of(place);
         weights += share.weight;
     }

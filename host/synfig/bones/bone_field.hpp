@@ -22,7 +22,7 @@ public:
     /// In units of the file, y up.
     std::vector<BonePair> pairs_at(double frame) const;
     /// Of a place in pixels, at rest; bones that do not reach it have none.
-    std::vector<art::BoneShare> shares(Vec2 place) const;
+    std::vector<art::BoneInfluence> shares(Vec2 place) const;
     /// Whether the shape of a bone contains a place in pixels.
     bool covers(Vec2 place) const;
     std::size_t nearest(Vec2 place) const;

@@ -2,7 +2,7 @@
 
 #include "host/synfig/bones/bone_field.hpp"
 #include "host/synfig/bones/divided_drawing.hpp"
-#include "host/synfig/bones/flat_figures.hpp"
+#include "host/synfig/bones/flat_shapes.hpp"
 #include "host/synfig/bones/posed_rig.hpp"
 
 #include <algorithm>
@@ -35,27 +35,27 @@ public:
             if (auto* group = std::get_if<art::Group>(&node.content))
                 deform(group->nodes);
             else
-                deform(node, std::get<art::Figure>(node.content));
+                deform(node, std::get<art::Shape>(node.content));
     }
 
 private:
-    void deform(const art::Node& node, art::Figure& figure)
+    void deform(const art::Node& node, art::Shape& shape)
     {
-        if (figure.drawing.keys.front().value.outlines.empty())
+        if (shape.drawing.keys.front().value.outlines.empty())
             return;
-        for (auto& key : figure.drawing.keys)
+        for (auto& key : shape.drawing.keys)
             for (scene::Outline& outline : key.value.outlines)
                 close_by_line(outline);
-        const art::Drawing first = figure.drawing.keys.front().value;
+        const art::Drawing first = shape.drawing.keys.front().value;
         const Division division = division_of(first);
         const bool same_forms = std::ranges::all_of(
-            figure.drawing.keys, [&](const auto& key) { return art::same_form(key.value, first); });
+            shape.drawing.keys, [&](const auto& key) { return art::same_form(key.value, first); });
         if (rig_ && same_forms) {
-            for (auto& key : figure.drawing.keys)
+            for (auto& key : shape.drawing.keys)
                 key.value = divided(key.value, division);
-            figure.skin = skin_of(node, figure.drawing.keys.front().value);
+            shape.skin = skin_of(node, shape.drawing.keys.front().value);
         } else {
-            bake(figure, division, same_forms);
+            bake(shape, division, same_forms);
         }
     }
 
@@ -97,7 +97,7 @@ private:
     {
         art::Affine total{0, 0, 0, 0, 0, 0};
         double weights = 0;
-        for (const art::BoneShare& share : field_.shares(place)) {
+        for (const art::BoneInfluence& share : field_.shares(place)) {
             const art::Affine one = field_.carrying(share.bone, frame);
             total = {total.a + share.weight * one.a, total.b + share.weight * one.b,
                      total.c + share.weight * one.c, total.d + share.weight * one.d,
@@ -120,7 +120,7 @@ private:
         return skin;
     }
 
-    std::vector<art::BoneShare> shares_in_rig(const art::Node& node, Vec2 spot)
+    std::vector<art::BoneInfluence> shares_in_rig(const art::Node& node, Vec2 spot)
     {
         if (!field_.covers(spot))
             layer_.reading().losses.add(
@@ -128,33 +128,33 @@ private:
                  layer_.scope().path.empty() ? node.name : layer_.scope().path + " / " + node.name,
                  {},
                  "it is not cut off, and goes with the bones"});
-        std::vector<art::BoneShare> shares = field_.shares(spot);
+        std::vector<art::BoneInfluence> shares = field_.shares(spot);
         if (shares.empty())
             shares.push_back({field_.nearest(spot), 1});
-        std::ranges::stable_sort(shares, std::ranges::greater{}, &art::BoneShare::weight);
+        std::ranges::stable_sort(shares, std::ranges::greater{}, &art::BoneInfluence::weight);
         shares.resize(std::min(shares.size(), max_bones_of_point));
         // Right on a bone its weight is beyond all measure.
         const double max = shares.front().weight;
-        for (art::BoneShare& share : shares) {
+        for (art::BoneInfluence& share : shares) {
             share.bone = rig_->place[share.bone];
             share.weight /= max;
         }
-        std::erase_if(shares, [](const art::BoneShare& share) { return share.weight < 1.0 / 1024; });
+        std::erase_if(shares, [](const art::BoneInfluence& share) { return share.weight < 1.0 / 1024; });
         return shares;
     }
 
-    void bake(art::Figure& figure, const Division& division, bool same_forms) const
+    void bake(art::Shape& shape, const Division& division, bool same_forms) const
     {
         std::vector<double> times = layer_.bends({"bones"});
-        for (const auto& key : figure.drawing.keys)
+        for (const auto& key : shape.drawing.keys)
             times.push_back(key.time);
-        const art::Animated<art::Drawing> before = figure.drawing;
+        const art::Animated<art::Drawing> before = shape.drawing;
         const std::function<art::Drawing(double)> drawing = [&](double frame) {
             const art::Drawing here = before.at(frame);
             return carried(same_forms ? divided(here, division) : here, frame);
         };
-        figure.drawing = traced(drawing, {0, layer_.reading().frames, std::move(times), baked_tolerance,
-                                          &layer_.reading().budget});
+        shape.drawing = traced(drawing, {0, layer_.reading().frames, std::move(times), baked_tolerance,
+                                         &layer_.reading().budget});
     }
     static constexpr double baked_tolerance = 1.0 / 32;
 

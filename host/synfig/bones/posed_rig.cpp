@@ -69,13 +69,13 @@ private:
             bone.parent = result.place[*parents_[index]];
         const Tracing turns = tracing(angle_tolerance);
         const Tracing places = tracing(place_tolerance);
-        const std::function<double(double)> turn = [&](double frame) {
+        const std::function<double(double)> rotation = [&](double frame) {
             const auto pairs = pairs_at(frame);
             return turned(pairs, index) - (parents_[index] ? turned(pairs, *parents_[index]) : 0);
         };
         const std::function<double(double)> x = [&](double frame) { return shift(index, frame).x; };
         const std::function<double(double)> y = [&](double frame) { return shift(index, frame).y; };
-        bone.turn = traced(turn, turns);
+        bone.rotation = traced(rotation, turns);
         bone.x = traced(x, places);
         bone.y = traced(y, places);
         const std::function<double(double)> length = [&](double frame) {

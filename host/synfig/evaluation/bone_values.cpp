@@ -59,7 +59,7 @@ Value bone(Evaluator& evaluator, const ValueNode& node, double time)
     const Vec2 origin = evaluator.spot(node, "origin", time);
     const double angle = evaluator.number(node, "angle", time);
     // A growth of what hangs on the bone as well; the other one is its own.
-    const double growth = evaluator.number(node, "scalex", time, 1);
+    const double scale_factor = evaluator.number(node, "scalex", time, 1);
     bone.stretch = evaluator.number(node, "scalelx", time, 1);
     bone.length = std::max(1e-5, evaluator.number(node, "length", time, 1));
     bone.width = std::abs(evaluator.number(node, "width", time, 0.1));
@@ -67,7 +67,7 @@ Value bone(Evaluator& evaluator, const ValueNode& node, double time)
     bone.depth = evaluator.number(node, "bone_depth", time);
     bone.angle = parent.angle + angle;
     bone.matrix = parent.matrix * art::moved(origin.x * parent.stretch, origin.y) * art::turned(angle) *
-                  art::grown(growth, 1);
+                  art::grown(scale_factor, 1);
     return {bone};
 }
 

@@ -22,9 +22,9 @@ Vec2 swung(Vec2 from, Vec2 to, double share)
     if (first == 0 || second == 0)
         return mixed(from, to, share);
     const double angle = std::atan2(scene::cross(from, to), scene::dot(from, to)) * share;
-    const double growth = art::mixed(first, second, share) / first;
-    return {growth * (std::cos(angle) * from.x - std::sin(angle) * from.y),
-            growth * (std::sin(angle) * from.x + std::cos(angle) * from.y)};
+    const double scale_factor = art::mixed(first, second, share) / first;
+    return {scale_factor * (std::cos(angle) * from.x - std::sin(angle) * from.y),
+            scale_factor * (std::sin(angle) * from.x + std::cos(angle) * from.y)};
 }
 
 /// Axes that go along with two points.

@@ -58,32 +58,32 @@ std::optional<Glow> glow_at(const Layer& layer, double frame)
     return glow_of(layer.at("gradient", frame).as<Gradient>());
 }
 
-art::Figure circle(const Layer& layer, double share)
+art::Shape circle(const Layer& layer, double share)
 {
     const std::function<art::Drawing(double)> drawing = [&](double frame) {
         const double radius = share * std::abs(layer.number("radius", frame, 0.5));
         const scene::Outline outline = scene::ellipse(layer.spot("center", frame), radius, radius);
         return art::Drawing{{layer.reading().to_canvas.of(outline)}};
     };
-    art::Figure figure;
-    figure.drawing = traced(drawing, layer.tracing({"center", "radius"}, place_tolerance));
-    return figure;
+    art::Shape shape;
+    shape.drawing = traced(drawing, layer.tracing({"center", "radius"}, place_tolerance));
+    return shape;
 }
 
 art::Node gradient_node(const Layer& layer)
 {
     art::Node node = node_of(layer);
-    art::Figure figure;
+    art::Shape shape;
     if (const auto glow = glow_at(layer, 0); glow && layer.bends({"gradient"}).empty()) {
         layer.lose("gradient", "a circle in its mean colour");
-        figure = circle(layer, glow->share);
-        figure.fill = art::Fill{layer.rgb(glow->colour), glow->colour.alpha, FillRule::nonzero};
+        shape = circle(layer, glow->share);
+        shape.fill = art::Fill{layer.rgb(glow->colour), glow->colour.alpha, FillRule::nonzero};
     } else {
         layer.lose(layer.type() == "noise" ? "noise" : "gradient", "its mean colour all over");
-        figure.drawing = art::Drawing{{everywhere(layer.reading())}};
-        figure.fill = fill_of(layer);
+        shape.drawing = art::Drawing{{everywhere(layer.reading())}};
+        shape.fill = fill_of(layer);
     }
-    node.content = std::move(figure);
+    node.content = std::move(shape);
     return node;
 }
 
@@ -109,10 +109,10 @@ std::optional<art::Node> read_cover_layer(const Layer& layer)
         return {};
     layer.lose_others({"color"});
     art::Node node = node_of(layer);
-    art::Figure figure;
-    figure.drawing = art::Drawing{{everywhere(layer.reading())}};
-    figure.fill = fill_of(layer);
-    node.content = std::move(figure);
+    art::Shape shape;
+    shape.drawing = art::Drawing{{everywhere(layer.reading())}};
+    shape.fill = fill_of(layer);
+    node.content = std::move(shape);
     return node;
 }
 

@@ -73,7 +73,7 @@ Numbers unwound(Numbers angle, double frames)
 
 void set_growth(const Layer& group, const Channels& channels, art::Transform& transform)
 {
-    const bool leans = [&] {
+    const bool is_skewed = [&] {
         for (const auto& time : group.bends({"transformation"}))
             if (std::abs(std::remainder(placement_at(group, time).skew, 360)) > 1e-6)
                 return true;
@@ -84,10 +84,10 @@ void set_growth(const Layer& group, const Channels& channels, art::Transform& tr
     transform.scale_y = channels(
         [&](double frame) {
             const Placement placement = placement_at(group, frame);
-            return leans ? placement.scale.y * std::cos(art::degree * placement.skew) : placement.scale.y;
+            return is_skewed ? placement.scale.y * std::cos(art::degree * placement.skew) : placement.scale.y;
         },
         scale_tolerance);
-    if (leans)
+    if (is_skewed)
         // The second axis leans by the skew; here what leans grows along the first axis afterwards.
         transform.skew = channels(
             [&](double frame) {
@@ -157,8 +157,8 @@ Scope inside_of(const Layer& group)
                                     [at](double seconds) { return at("time_offset", seconds, 0); }));
     }
     if (group.has("outline_grow")) {
-        const auto outer = scope.line_growth;
-        scope.line_growth = [kept, outer](double frame) {
+        const auto outer = scope.line_scale_factor;
+        scope.line_scale_factor = [kept, outer](double frame) {
             return (outer ? outer(frame) : 1) * std::exp(kept->number("outline_grow", frame, 0));
         };
     }

@@ -58,9 +58,9 @@ private:
     /// In pixels, of a point with that width.
     double half_width(double own, double frame) const
     {
-        const auto& growth = layer_.scope().line_growth;
+        const auto& scale_factor = layer_.scope().line_scale_factor;
         const double units = own * layer_.number("width", frame, 1) / 2 + layer_.number("expand", frame, 0);
-        return std::abs(units) * layer_.reading().pixels_per_unit * (growth ? growth(frame) : 1);
+        return std::abs(units) * layer_.reading().pixels_per_unit * (scale_factor ? scale_factor(frame) : 1);
     }
 
     std::vector<double> half_widths(double frame) const
@@ -133,69 +133,69 @@ private:
     art::Node plain() const
     {
         art::Node node = node_of(layer_);
-        art::Figure figure;
+        art::Shape shape;
         const std::function<art::Drawing(double)> drawing = [&](double frame) -> art::Drawing {
             const List spline = points("bline", frame);
             if (spline.entries.empty())
                 return {};
             return {{layer_.reading().to_canvas.of(outline_along(spline, origin(frame)))}};
         };
-        figure.skin = linked_skin(layer_);
-        if (figure.skin)
-            figure.drawing = drawing(0);
+        shape.skin = linked_skin(layer_);
+        if (shape.skin)
+            shape.drawing = drawing(0);
         else
-            figure.drawing =
+            shape.drawing =
                 traced(drawing, layer_.tracing({"bline", moves_ ? "" : "origin"}, place_tolerance));
         art::Fill paint = fill_of(layer_);
-        art::Line line;
-        line.colour = std::move(paint.colour);
-        line.opacity = std::move(paint.opacity);
+        art::StrokeStyle stroke;
+        stroke.colour = std::move(paint.colour);
+        stroke.opacity = std::move(paint.opacity);
         const std::function<double(double)> width = [&](double frame) {
             const auto widths = half_widths(frame);
             return widths.empty() ? 0 : 2 * *std::ranges::max_element(widths);
         };
-        line.width = traced(width, layer_.tracing({"bline", "wplist", "width", "expand"}, place_tolerance));
-        line.cap = begin() == Side::round ? Cap::round : begin() == Side::square ? Cap::square : Cap::butt;
-        line.join = corner() == Corner::sharp   ? Join::miter
-                    : corner() == Corner::round ? Join::round
-                                                : Join::bevel;
+        stroke.width = traced(width, layer_.tracing({"bline", "wplist", "width", "expand"}, place_tolerance));
+        stroke.cap = begin() == Side::round ? Cap::round : begin() == Side::square ? Cap::square : Cap::butt;
+        stroke.join = corner() == Corner::sharp   ? Join::miter
+                      : corner() == Corner::round ? Join::round
+                                                  : Join::bevel;
         // Synfig cuts corners off at two widths, and blunts them only there.
-        line.miter_limit = 3;
-        figure.line = std::move(line);
-        node.content = std::move(figure);
+        stroke.miter_limit = 3;
+        shape.stroke = std::move(stroke);
+        node.content = std::move(shape);
         return node;
     }
 
     art::Node varying() const
     {
         art::Node node = node_of(layer_);
-        art::Figure figure;
-        const std::function<art::Drawing(double)> drawing = [&](double frame) { return shape(frame); };
-        figure.drawing =
+        art::Shape shape;
+        const std::function<art::Drawing(double)> drawing = [&](double frame) { return drawn_at(frame); };
+        shape.drawing =
             traced(drawing, layer_.tracing({"bline", "wplist", "width", "expand", moves_ ? "" : "origin"},
                                            place_tolerance));
-        figure.fill = fill_of(layer_);
-        figure.fill->rule = FillRule::nonzero;
-        node.content = std::move(figure);
+        shape.fill = fill_of(layer_);
+        shape.fill->rule = FillRule::nonzero;
+        node.content = std::move(shape);
         return node;
     }
 
-    art::Drawing shape(double frame) const
+    art::Drawing drawn_at(double frame) const
     {
         const List spline = points("bline", frame);
         const std::size_t count = spline.entries.size();
-        VaryingLine line;
-        line.loop = spline.loop && count > 1;
-        for (std::size_t i = 0; i + (line.loop ? 0 : 1) < count; ++i)
-            line.pieces.push_back(piece(spline.entries[i].as<SplinePoint>(),
-                                        spline.entries[(i + 1) % count].as<SplinePoint>(), frame));
-        if (line.pieces.empty())
+        VaryingLine stroke;
+        stroke.loop = spline.loop && count > 1;
+        for (std::size_t i = 0; i + (stroke.loop ? 0 : 1) < count; ++i)
+            stroke.pieces.push_back(piece(spline.entries[i].as<SplinePoint>(),
+                                          spline.entries[(i + 1) % count].as<SplinePoint>(), frame));
+        if (stroke.pieces.empty())
             return {};
-        line.begin = begin();
-        line.end = end();
-        line.corner = corner();
-        set_widths(line, spline, frame);
-        return shape_of(line);
+        stroke.begin = begin();
+        stroke.end = end();
+        stroke.corner = corner();
+        set_widths(stroke, spline, frame);
+        return shape_of(stroke);
     }
 
     SplinePiece piece(SplinePoint from, SplinePoint to, double frame) const
@@ -214,24 +214,24 @@ private:
         return piece;
     }
 
-    void set_widths(VaryingLine& line, const List& spline, double frame) const
+    void set_widths(VaryingLine& stroke, const List& spline, double frame) const
     {
         std::vector<double> begins{0};
-        for (const SplinePiece& piece : line.pieces)
+        for (const SplinePiece& piece : stroke.pieces)
             begins.push_back(begins.back() + piece.length());
-        line.to = begins.back();
+        stroke.to = begins.back();
         const List widths = points("wplist", frame);
-        line.smoothness = advanced_ ? layer_.number("smoothness", frame, 1) : 0;
+        stroke.smoothness = advanced_ ? layer_.number("smoothness", frame, 1) : 0;
         if (widths.entries.empty())
             for (std::size_t i = 0; i < begins.size(); ++i)
-                line.stops.push_back(
+                stroke.stops.push_back(
                     {begins[i],
                      half_width(spline.entries[i % spline.entries.size()].as<SplinePoint>().width, frame)});
         else
-            set_width_points(line, widths, begins, frame);
+            set_width_points(stroke, widths, begins, frame);
     }
 
-    void set_width_points(VaryingLine& line, const List& widths, const std::vector<double>& begins,
+    void set_width_points(VaryingLine& stroke, const List& widths, const std::vector<double>& begins,
                           double frame) const
     {
         const double total = begins.back();
@@ -240,33 +240,33 @@ private:
         for (const Value& entry : widths.entries) {
             const WidthPoint point = entry.as<WidthPoint>();
             const double share = std::clamp(point.position, 0.0, 1.0);
-            const double along = share * static_cast<double>(line.pieces.size());
-            const std::size_t piece = std::min(line.pieces.size() - 1, static_cast<std::size_t>(along));
+            const double along = share * static_cast<double>(stroke.pieces.size());
+            const std::size_t piece = std::min(stroke.pieces.size() - 1, static_cast<std::size_t>(along));
             const double distance =
                 by_length ? share * total
-                          : begins[piece] + line.pieces[piece].length(along - static_cast<double>(piece));
+                          : begins[piece] + stroke.pieces[piece].length(along - static_cast<double>(piece));
             all.push_back({{distance, half_width(point.width, frame)}, point});
         }
         std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first.distance; });
         for (const auto& [stop, point] : all)
-            line.stops.push_back(stop);
-        if (line.loop) {
-            WidthStop before = line.stops.back();
-            WidthStop behind = line.stops.front();
+            stroke.stops.push_back(stop);
+        if (stroke.loop) {
+            WidthStop before = stroke.stops.back();
+            WidthStop behind = stroke.stops.front();
             before.distance -= total;
             behind.distance += total;
-            line.stops.insert(line.stops.begin(), before);
-            line.stops.push_back(behind);
+            stroke.stops.insert(stroke.stops.begin(), before);
+            stroke.stops.push_back(behind);
             return;
         }
         if (all.front().second.before != Side::interpolate) {
-            line.from = all.front().first.distance;
-            line.begin = all.front().second.before;
+            stroke.from = all.front().first.distance;
+            stroke.begin = all.front().second.before;
         }
         if (all.back().second.after != Side::interpolate) {
-            line.to = all.back().first.distance;
-            line.end = all.back().second.after;
-            line.dip = 1;
+            stroke.to = all.back().first.distance;
+            stroke.end = all.back().second.after;
+            stroke.dip = 1;
         }
     }
 

@@ -243,21 +243,21 @@ std::optional<art::Node> read_shape_layer(const Layer& layer)
             drawing.outlines.insert(drawing.outlines.begin(), everywhere(layer.reading()));
         return drawing;
     };
-    art::Figure figure;
+    art::Shape shape;
     if (layer.type() == "region" && !inverted)
-        figure.skin = linked_skin(layer);
-    if (figure.skin)
-        figure.drawing = drawing_at(0);
+        shape.skin = linked_skin(layer);
+    if (shape.skin)
+        shape.drawing = drawing_at(0);
     else
-        figure.drawing =
+        shape.drawing =
             traced(drawing_at, layer.tracing({"bline", moves ? "" : "origin", "radius", "point1", "point2",
                                               "expand", "bevel", "vector_list", "points", "angle", "radius1",
                                               "radius2", "regular_polygon", "size"},
                                              place_tolerance));
-    figure.fill = fill_of(layer);
+    shape.fill = fill_of(layer);
     if (inverted)
-        figure.fill->rule = FillRule::even_odd;
-    node.content = std::move(figure);
+        shape.fill->rule = FillRule::even_odd;
+    node.content = std::move(shape);
     return node;
 }
 

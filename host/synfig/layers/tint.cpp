@@ -16,11 +16,11 @@ void Tint::apply(std::vector<art::Node>& nodes) const
             apply(group->nodes);
             continue;
         }
-        auto& figure = std::get<art::Figure>(node.content);
-        if (figure.fill)
-            apply(figure.fill->colour);
-        if (figure.line)
-            apply(figure.line->colour);
+        auto& shape = std::get<art::Shape>(node.content);
+        if (shape.fill)
+            apply(shape.fill->colour);
+        if (shape.stroke)
+            apply(shape.stroke->colour);
     }
 }
 

@@ -47,8 +47,8 @@ struct Scope {
     Driver clock;
     std::string path; ///< names from the outermost: "body / arm"
     int depth = 0;
-    std::function<double(double)> line_growth; ///< by frames; a factor of the width of all lines
-    bool is_deformed = false;                  ///< by a skeleton deformation above
+    std::function<double(double)> line_scale_factor; ///< by frames; a factor of the width of all lines
+    bool is_deformed = false;                        ///< by a skeleton deformation above
 };
 
 }

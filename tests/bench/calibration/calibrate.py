@@ -23,7 +23,7 @@ from cost_table import write_table  # noqa: E402
 from least_squares import fitted  # noqa: E402
 from random_scenes import scene_texts  # noqa: E402
 
-FIRST_DRAWN = "step"  # kinds of work before it are part of the update (core/bytes/work.hpp)
+FIRST_DRAWN = "step"  # kinds of work before it are part of the update (core/bytes/op_counter.hpp)
 # As core/features.hpp has them, after an image without any.
 FEATURES = ("none", "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings")
 PROFILED = ("golden-split_and_merge", "golden-bones_and_skins", "random-3", "random-8")

@@ -3,7 +3,7 @@
 HEAD = """// Written by scripts/calibrate.
 
 #include "host/fit/cost_table.hpp"
-#include "host/fit/work_names.hpp"
+#include "host/fit/op_names.hpp"
 
 #include <array>
 #include <string_view>
@@ -15,7 +15,7 @@ namespace {
 constexpr auto kinds = std::to_array<std::string_view>({
 KINDS
 });
-static_assert(kinds == work_names, "the kinds of work have changed: scripts/calibrate");
+static_assert(kinds == op_names, "the kinds of work have changed: scripts/calibrate");
 
 constexpr std::array<ProcessorCosts, processor_count> table{{
 """

@@ -57,10 +57,10 @@ std::optional<std::pair<double, double>> stretch_in_field(double x, double y, do
 {
     double begin = 0;
     double end = 1;
-    for (const auto& [from, way] : {std::pair{x, to_x - x}, std::pair{y, to_y - y}})
+    for (const auto& [from, delta] : {std::pair{x, to_x - x}, std::pair{y, to_y - y}})
         for (const double side : {-half, half}) {
             const double room = side < 0 ? from - side : side - from;
-            const double leaves = side < 0 ? -way : way;
+            const double leaves = side < 0 ? -delta : delta;
             if (leaves == 0 && room < 0)
                 return std::nullopt;
             if (leaves < 0)

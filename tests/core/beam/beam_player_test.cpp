@@ -24,7 +24,7 @@ std::vector<BeamPoint> points_of(const BeamPlayer& player)
 {
     std::vector<BeamPoint> all;
     std::array<BeamPoint, 100> piece;
-    BeamPlot plot = player.plot();
+    PointStream plot = player.plot();
     while (const std::size_t count = plot.next(piece))
         all.insert(all.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
     return all;
@@ -338,7 +338,7 @@ TEST_CASE("lines of the examples lie on what a panel shows")
             for (const BeamPoint& point : beam.points(time))
                 REQUIRE((!point.is_lit() || shows_near(pixels, panel, point.at)));
         }
-        CHECK(beam.player.report().haste == 0);
+        CHECK(beam.player.report().speed_level == 0);
     }
 }
 

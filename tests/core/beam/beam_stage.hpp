@@ -35,7 +35,7 @@ struct BeamStage {
         player.show(time);
         std::vector<BeamPoint> all;
         std::array<BeamPoint, 7> piece;
-        BeamPlot plot = player.plot();
+        PointStream plot = player.plot();
         while (const std::size_t count = plot.next(piece))
             all.insert(all.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
         return all;

@@ -91,8 +91,8 @@ private:
     FieldPoint away(FieldPoint from, int bits)
     {
         const auto moved = [this, bits](std::int32_t coordinate) {
-            const auto way = static_cast<std::int32_t>(random_()) >> (32 - bits);
-            return static_cast<std::int16_t>(std::clamp(coordinate + way, field_min, field_max));
+            const auto delta = static_cast<std::int32_t>(random_()) >> (32 - bits);
+            return static_cast<std::int16_t>(std::clamp(coordinate + delta, field_min, field_max));
         };
         const std::int16_t x = moved(from.x);
         return {x, moved(from.y)};

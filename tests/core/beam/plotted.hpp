@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/beam/beam_pace.hpp"
-#include "core/beam/beam_plot.hpp"
+#include "core/beam/beam_timing.hpp"
+#include "core/beam/point_stream.hpp"
 #include "tests/core/beam/line_store.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline constexpr std::uint32_t any_budget = std::numeric_limits<std::uint32_t>::
 
 using Points = std::vector<BeamPoint>;
 
-inline Points all_of(BeamPlot plot, std::size_t piece = 7)
+inline Points all_of(PointStream plot, std::size_t piece = 7)
 {
     Points points;
     std::vector<BeamPoint> some(piece);
@@ -27,15 +27,15 @@ inline Points all_of(BeamPlot plot, std::size_t piece = 7)
 }
 
 struct Plotted {
-    BeamPace pace;
+    BeamTiming timing;
     Points points;
 };
 
 inline Plotted plotted(const LineStore& store, const std::vector<BeamLeg>& legs, const BeamProfile& profile,
                        std::uint32_t budget = any_budget)
 {
-    const BeamPace pace = find_pace(store.lines, legs, profile, budget, 0);
-    return {pace, all_of({store.lines, legs, profile, pace})};
+    const BeamTiming timing = find_timing(store.lines, legs, profile, budget, 0);
+    return {timing, all_of({store.lines, legs, profile, timing})};
 }
 
 inline std::size_t count_at(const Points& points, FieldPoint at, bool is_lit)

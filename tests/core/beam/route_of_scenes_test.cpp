@@ -1,5 +1,5 @@
 #include "core/beam/beam_route.hpp"
-#include "core/beam/nearest_leg.hpp"
+#include "core/beam/nearest_neighbour.hpp"
 #include "tests/core/beam/shortest_tour.hpp"
 #include "tests/core/beam/traced_scene.hpp"
 #include "tests/rounds.hpp"

@@ -11,12 +11,13 @@ namespace {
 
 PictureCache::Name name_of(std::uint32_t number) { return {number, 7, 0}; }
 
-using Coming = PictureCache::Coming;
+using Incoming = PictureCache::Incoming;
 
 /// `count` words that tell the number of their set.
-bool keep(PictureCache& cache, std::uint32_t number, std::size_t count, Coming coming = Coming::replaces_next)
+bool keep(PictureCache& cache, std::uint32_t number, std::size_t count,
+          Incoming incoming = Incoming::replaces_next)
 {
-    cache.begin(name_of(number), coming);
+    cache.begin(name_of(number), incoming);
     for (std::size_t i = 0; i < count; ++i)
         if (std::uint32_t* const word = cache.add(1))
             *word = number;
@@ -57,7 +58,7 @@ TEST_CASE("sets are found by their whole names, and what is not complete or find
     CHECK(room.has(1));
     CHECK(room.cache.find({1, 8, 0}) == nullptr);
     CHECK(room.cache.find({1, 7, 1}) == nullptr);
-    room.cache.begin(name_of(2), Coming::beside_others);
+    room.cache.begin(name_of(2), Incoming::beside_others);
     CHECK(room.cache.add(3) != nullptr);
     CHECK(room.cache.end(false) == nullptr);
     CHECK_FALSE(room.has(2));
@@ -103,9 +104,9 @@ TEST_CASE("what comes in beside others replaces none that the picture before has
     CHECK(room.keep(2));
     room.cache.begin_picture();
     CHECK(room.has(2));
-    CHECK_FALSE(keep(room.cache, 3, 3, Coming::beside_others));
+    CHECK_FALSE(keep(room.cache, 3, 3, Incoming::beside_others));
     room.cache.begin_picture();
-    CHECK(keep(room.cache, 3, 3, Coming::beside_others)); // in the place of 1
+    CHECK(keep(room.cache, 3, 3, Incoming::beside_others)); // in the place of 1
     CHECK(room.has(2));
     CHECK_FALSE(room.has(1));
 }
@@ -114,7 +115,7 @@ TEST_CASE("what replaces the next leaves sets of other kinds")
 {
     Room room{2};
     CHECK(room.keep(1));
-    room.cache.begin({9, 9, 9}, Coming::beside_others);
+    room.cache.begin({9, 9, 9}, Incoming::beside_others);
     room.cache.add(3);
     CHECK(room.cache.end(true) != nullptr);
     room.cache.begin_picture();
@@ -171,7 +172,7 @@ TEST_CASE("what is given up although there was room may replace others when it c
     CHECK(room.keep(1));
     CHECK(room.keep(2));
     room.cache.begin_picture();
-    room.cache.begin(name_of(3), Coming::replaces_next);
+    room.cache.begin(name_of(3), Incoming::replaces_next);
     CHECK(room.cache.add(3) != nullptr); // in the place of one of them
     CHECK(room.cache.end(false) == nullptr);
     CHECK(keep(room.cache, 4, 3));
@@ -187,7 +188,7 @@ TEST_CASE("when the numbers of pictures begin again, sets of the picture before 
             room.cache.begin_picture();
         CHECK(room.keep(2));
         room.cache.begin_picture();
-        CHECK(keep(room.cache, 3, 3, Coming::beside_others)); // in the place of 1, which is older
+        CHECK(keep(room.cache, 3, 3, Incoming::beside_others)); // in the place of 1, which is older
         CHECK(room.has(2));
         CHECK_FALSE(room.has(1));
     }

@@ -28,7 +28,7 @@ TEST_CASE("the map without numbers changes nothing")
 {
     CHECK(Affine{}(pixels(-12.25, 700)) == pixels(-12.25, 700));
     CHECK(Affine{} * Affine{} == Affine{});
-    CHECK(Affine{}.growth() == Fixed::one);
+    CHECK(Affine{}.scale_factor() == Fixed::one);
 }
 
 TEST_CASE("rows and columns of the matrix are where they should be")
@@ -64,13 +64,13 @@ TEST_CASE("rounding is to nearest, halves up")
 
 TEST_CASE("growth is the mean of all directions that keeps areas")
 {
-    CHECK(Affine{.xx = q16(-3), .yy = q16(3)}.growth() == q16(3));
-    CHECK(Affine{.xx = q16(4), .yy = q16(9)}.growth() == q16(6));
-    CHECK(Affine{.xx = 0, .xy = q16(-2), .yx = q16(2), .yy = 0}.growth() == q16(2));
-    CHECK(Affine{.xx = q16(1), .xy = q16(1), .yx = q16(1), .yy = q16(1)}.growth() == 0);
+    CHECK(Affine{.xx = q16(-3), .yy = q16(3)}.scale_factor() == q16(3));
+    CHECK(Affine{.xx = q16(4), .yy = q16(9)}.scale_factor() == q16(6));
+    CHECK(Affine{.xx = 0, .xy = q16(-2), .yx = q16(2), .yy = 0}.scale_factor() == q16(2));
+    CHECK(Affine{.xx = q16(1), .xy = q16(1), .yx = q16(1), .yy = q16(1)}.scale_factor() == 0);
     const Affine steepest{
         .xx = Affine::steepest, .xy = -Affine::steepest, .yx = Affine::steepest, .yy = Affine::steepest};
-    CHECK(std::abs(steepest.growth() / (std::sqrt(2.0) * Affine::steepest) - 1) < 1e-6);
+    CHECK(std::abs(steepest.scale_factor() / (std::sqrt(2.0) * Affine::steepest) - 1) < 1e-6);
 }
 
 TEST_CASE("what would leave the ranges is held at their ends")

@@ -70,11 +70,11 @@ TEST_CASE("fine angles of tracks and of directions are the same turns, and sums 
 TEST_CASE("the quarter sine never falls and is exact at its ends")
 {
     int falls = 0;
-    for (std::uint32_t share = 1; share <= Share::one; ++share)
+    for (std::uint32_t share = 1; share <= Fraction::one; ++share)
         falls += quarter_sine({share}) < quarter_sine({share - 1});
     CHECK(falls == 0);
     CHECK(quarter_sine({0}) == 0);
-    CHECK(quarter_sine({Share::one}) == one_q30);
+    CHECK(quarter_sine({Fraction::one}) == one_q30);
 }
 
 TEST_CASE("a direction leads back to the angle it came from")

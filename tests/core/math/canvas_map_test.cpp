@@ -20,7 +20,7 @@ TEST_CASE("a panel of the canvas's size changes nothing, however the canvas is l
     for (const Fit fit : {Fit::contain, Fit::cover, Fit::none}) {
         const Affine map = canvas_map({240, 100}, {240, 100}, fit);
         CHECK(map(pixels(-3.25, 99.5)) == pixels(-3.25, 99.5));
-        CHECK(half_width(Fixed::pixels(10), map.growth()) == Fixed::pixels(5));
+        CHECK(half_width(Fixed::pixels(10), map.scale_factor()) == Fixed::pixels(5));
     }
 }
 
@@ -39,22 +39,22 @@ TEST_CASE("cover scales by the looser side and cuts the other in equal parts")
     const Affine map = canvas_map({240, 120}, {120, 240}, Fit::cover);
     CHECK(map(pixels(120, 60)) == pixels(60, 120));
     CHECK(map(pixels(0, 0)) == pixels(-180, 0));
-    CHECK(half_width(Fixed::pixels(6), map.growth()) == Fixed::pixels(6));
+    CHECK(half_width(Fixed::pixels(6), map.scale_factor()) == Fixed::pixels(6));
 }
 
 TEST_CASE("none keeps the pixels and centres, cutting what is too large")
 {
     const Affine map = canvas_map({240, 120}, {128, 200}, Fit::none);
     CHECK(map(pixels(0, 0)) == pixels(-56, 40));
-    CHECK(half_width(Fixed::pixels(6), map.growth()) == Fixed::pixels(3));
+    CHECK(half_width(Fixed::pixels(6), map.scale_factor()) == Fixed::pixels(3));
 }
 
 TEST_CASE("scale and lengths are rounded to nearest")
 {
     const Affine two_thirds = canvas_map({3, 3}, {2, 2}, Fit::contain);
-    CHECK(std::abs((half_width(Fixed::pixels(6), two_thirds.growth()) - Fixed::pixels(2)).raw()) <= 1);
+    CHECK(std::abs((half_width(Fixed::pixels(6), two_thirds.scale_factor()) - Fixed::pixels(2)).raw()) <= 1);
     const Affine half = canvas_map({4, 4}, {2, 2}, Fit::contain);
-    CHECK(half_width(Fixed::from_raw(2), half.growth()).raw() == 1);
+    CHECK(half_width(Fixed::from_raw(2), half.scale_factor()).raw() == 1);
     CHECK(half(pixels(1, 1) + Point{Fixed::from_raw(1), {}}) ==
           pixels(0.5, 0.5) + Point{Fixed::from_raw(1), {}});
 }
@@ -80,7 +80,7 @@ TEST_CASE("what would not fit in Fixed stays at the limits")
     const Affine map = canvas_map(widest_canvas, largest_panel, Fit::cover);
     CHECK(map(pixels(0, -2048)) == pixels(-16383, -16383));
     CHECK(map(pixels(2047, 2047)) == pixels(16383, 16383));
-    CHECK(half_width(Fixed::pixels(4094), map.growth()) == Fixed::pixels(4095));
+    CHECK(half_width(Fixed::pixels(4094), map.scale_factor()) == Fixed::pixels(4095));
 }
 
 }

@@ -15,27 +15,27 @@ TEST_CASE("a ratio is rounded to nearest, whichever way it is computed")
         for (int round = 0; round < 2'000; ++round) {
             const auto numerator = static_cast<std::uint32_t>(random() % (std::uint64_t{denominator} + 1));
             const double exact = numerator * 65536.0 / denominator;
-            REQUIRE(std::abs(Share::ratio(numerator, denominator).raw - exact) <= 0.5);
+            REQUIRE(std::abs(Fraction::ratio(numerator, denominator).raw - exact) <= 0.5);
         }
-        CHECK(Share::ratio(0, denominator).raw == 0);
-        CHECK(Share::ratio(denominator, denominator).raw == Share::one);
+        CHECK(Fraction::ratio(0, denominator).raw == 0);
+        CHECK(Fraction::ratio(denominator, denominator).raw == Fraction::one);
     }
 }
 
 TEST_CASE("ratios never fall as their numerator rises")
 {
     for (std::uint32_t numerator = 1; numerator <= 40'000; ++numerator)
-        REQUIRE(Share::ratio(numerator - 1, 40'000) <= Share::ratio(numerator, 40'000));
+        REQUIRE(Fraction::ratio(numerator - 1, 40'000) <= Share::ratio(numerator, 40'000));
 }
 
 TEST_CASE("lerp is exact at both ends and rounds halves up between them")
 {
     const Fixed a = Fixed::from_raw(-7);
     const Fixed b = Fixed::from_raw(4);
-    CHECK(lerp(a, b, Share{0}) == a);
-    CHECK(lerp(a, b, Share{Share::one}) == b);
-    CHECK(lerp(a, b, Share{Share::one / 2}).raw() == -1); // -1.5
-    CHECK(lerp(Fixed::sixteenths(-32768), Fixed::sixteenths(32767), Share{Share::one}) ==
+    CHECK(lerp(a, b, Fraction{0}) == a);
+    CHECK(lerp(a, b, Fraction{Fraction::one}) == b);
+    CHECK(lerp(a, b, Fraction{Fraction::one / 2}).raw() == -1); // -1.5
+    CHECK(lerp(Fixed::sixteenths(-32768), Fixed::sixteenths(32767), Fraction{Fraction::one}) ==
           Fixed::sixteenths(32767));
 }
 
@@ -43,15 +43,17 @@ TEST_CASE("a way leads from a to b, and beyond")
 {
     const Fixed a = Fixed::from_raw(-7);
     const Fixed b = Fixed::from_raw(4);
-    CHECK(lerp(a, b, Way{0}) == a);
-    CHECK(lerp(a, b, Way{Way::one}) == b);
-    CHECK(lerp(a, b, Way{Way::one / 2}).raw() == -1); // -1.5
-    CHECK(lerp(a, b, Way{2 * Way::one}).raw() == 15);
-    CHECK(lerp(a, b, Way{-Way::one / 2}).raw() == -12); // -12.5
+    CHECK(lerp(a, b, Progress{0}) == a);
+    CHECK(lerp(a, b, Progress{Progress::one}) == b);
+    CHECK(lerp(a, b, Progress{Progress::one / 2}).raw() == -1); // -1.5
+    CHECK(lerp(a, b, Progress{2 * Progress::one}).raw() == 15);
+    CHECK(lerp(a, b, Progress{-Progress::one / 2}).raw() == -12); // -12.5
     const Fixed min = Fixed::sixteenths(-32768);
     const Fixed max = Fixed::sixteenths(32767);
-    CHECK(lerp(min, max, Way{Way::one * 5 / 2}).raw() == Fixed::pixels(8192).raw() - 65536 * 5 / 32);
-    CHECK(lerp(max, min, Way{Way::one * 5 / 2}).raw() == 65536 * 3 / 32 - Fixed::pixels(8192).raw());
+    CHECK(lerp(min, max, Progress{Progress::one * 5 / 2}).raw() ==
+          Fixed::pixels(8192).raw() - 65536 * 5 / 32);
+    CHECK(lerp(max, min, Progress{Progress::one * 5 / 2}).raw() ==
+          65536 * 3 / 32 - Fixed::pixels(8192).raw());
 }
 
 TEST_CASE("32-bit steps multiply as 64 bits do")

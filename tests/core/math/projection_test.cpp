@@ -84,7 +84,7 @@ TEST_CASE("on the canvas itself everything is seen where it is")
         const Spot at = random_spot(random);
         CHECK(projection(pixels(at.x, at.y)) == pixels(at.x, at.y));
     }
-    CHECK(projection.growth_at(pixels(100, 7)) == Fixed::one);
+    CHECK(projection.scale_factor_at(pixels(100, 7)) == Fixed::one);
 }
 
 TEST_CASE("what is nearer is larger, about the middle of the canvas")
@@ -93,8 +93,8 @@ TEST_CASE("what is nearer is larger, about the middle of the canvas")
     CHECK(at_depth(300)(pixels(256, 256)) == pixels(256, 256));
     CHECK(at_depth(300)(pixels(266, 236)) == pixels(276, 216));
     CHECK(at_depth(-600)(pixels(266, 236)) == pixels(261, 246));
-    CHECK(at_depth(300).growth_at(pixels(266, 236)) == 2 * Fixed::one);
-    CHECK(at_depth(-600).growth_at(pixels(266, 236)) == Fixed::one / 2);
+    CHECK(at_depth(300).scale_factor_at(pixels(266, 236)) == 2 * Fixed::one);
+    CHECK(at_depth(-600).scale_factor_at(pixels(266, 236)) == Fixed::one / 2);
 }
 
 TEST_CASE("a rotation about y takes the right edge away, one about x the upper edge, as in CSS")
@@ -176,7 +176,7 @@ TEST_CASE("growth is the square root of what a small area grows by")
         if (distance - place.z < distance / 4.0 || !is_on_canvas(seen(place, {256, 256}, distance)))
             continue;
         const double exact = exact_growth(nest, at, distance);
-        const double is = projection.growth_at(pixels(at.x, at.y)) / 65536.0;
+        const double is = projection.scale_factor_at(pixels(at.x, at.y)) / 65536.0;
         if (exact > 0.05) // seen from the side, it is the root of next to nothing
             worst = std::max(worst, std::abs(is - exact) / exact);
     }
@@ -190,7 +190,7 @@ TEST_CASE("what comes nearer than a sixteenth of the distance is held there, als
     CHECK(nearest == pixels(272, 208));
     for (const double z : {601.0, 640.0, 641.0, 1e5, 1e9}) {
         CHECK(at_depth(z)(pixels(257, 253)) == nearest);
-        CHECK(at_depth(z).growth_at(pixels(257, 253)) == 16 * Fixed::one);
+        CHECK(at_depth(z).scale_factor_at(pixels(257, 253)) == 16 * Fixed::one);
     }
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("any space and any camera give a point that is held within 16383 px, a
         const Point at = projection(point);
         CHECK(std::abs(at.x.raw()) <= Fixed::pixels(16383).raw());
         CHECK(std::abs(at.y.raw()) <= Fixed::pixels(16383).raw());
-        CHECK(projection.growth_at(point) >= 0);
+        CHECK(projection.scale_factor_at(point) >= 0);
     }
 }
 

@@ -50,7 +50,7 @@ public:
         return segment;
     }
 
-    Share share() { return {static_cast<std::uint32_t>(random_() % (Share::one + 1))}; }
+    Fraction share() { return {static_cast<std::uint32_t>(random_() % (Fraction::one + 1))}; }
 
 private:
     std::int64_t below(std::int64_t end) { return static_cast<std::int64_t>(random_()) % end; }
@@ -82,14 +82,14 @@ TEST_CASE("tweening is rounded once and exact at both ends when coordinates are 
         box.move();
         const Segment a = box.cubic();
         const Segment b = box.cubic();
-        const auto way = progress(VelocityLaw::constant, box.share());
-        const Segment live = tween(a, b, way, way);
+        const auto eased = progress(VelocityLaw::constant, box.share());
+        const Segment live = tween(a, b, eased, eased);
         for (const auto at : {&Segment::from, &Segment::c1, &Segment::c2, &Segment::to}) {
-            REQUIRE(off((live.*at).x, between((a.*at).x, (b.*at).x, way.raw / 65536.0)) <= 0.5);
-            REQUIRE(off((live.*at).y, between((a.*at).y, (b.*at).y, way.raw / 65536.0)) <= 0.5);
+            REQUIRE(off((live.*at).x, between((a.*at).x, (b.*at).x, eased.raw / 65536.0)) <= 0.5);
+            REQUIRE(off((live.*at).y, between((a.*at).y, (b.*at).y, eased.raw / 65536.0)) <= 0.5);
         }
         REQUIRE(tween(a, b, {0}, {0}) == a);
-        REQUIRE(tween(a, b, {Share::one}, {Share::one}) == b);
+        REQUIRE(tween(a, b, {Fraction::one}, {Fraction::one}) == b);
     }
 }
 
@@ -107,15 +107,15 @@ TEST_CASE("coordinates within 4095 px may be tweened as far beyond the keys as l
             at->x = coordinate();
         return segment;
     };
-    constexpr std::int32_t beyond = 3 * Way::one / 2;
+    constexpr std::int32_t beyond = 3 * Progress::one / 2;
     for (int round = 0; round < 20'000; ++round) {
         const Segment a = cubic();
         const Segment b = cubic();
-        const Way way{round % 2 == 0 ? -beyond : Way::one + beyond};
-        const Segment live = tween(a, b, way, way);
+        const Progress eased{round % 2 == 0 ? -beyond : Progress::one + beyond};
+        const Segment live = tween(a, b, eased, eased);
         for (const auto at : {&Segment::from, &Segment::c1, &Segment::c2, &Segment::to})
-            REQUIRE(off((live.*at).x, between((a.*at).x, (b.*at).x, way.raw / 65536.0)) <= 0.5);
-        const Share share{static_cast<std::uint32_t>(random() % (Share::one + 1))};
+            REQUIRE(off((live.*at).x, between((a.*at).x, (b.*at).x, eased.raw / 65536.0)) <= 0.5);
+        const Fraction share{static_cast<std::uint32_t>(random() % (Fraction::one + 1))};
         REQUIRE(off(point_at(live, share).x, on_curve(live, share.raw / 65536.0)) <= 2);
     }
 }
@@ -126,8 +126,8 @@ TEST_CASE("points and stretches of curves are within two units when coordinates 
     for (int round = 0; round < 20'000; ++round) {
         box.move();
         const Segment cubic = box.cubic();
-        const Share one = box.share();
-        const Share other = box.share();
+        const Fraction one = box.share();
+        const Fraction other = box.share();
         const auto [begin, end] = std::minmax(one, other);
         const Segment part = stretch(cubic, begin, end);
         REQUIRE(off(part.from.x, on_curve(cubic, begin.raw / 65536.0)) <= 2);

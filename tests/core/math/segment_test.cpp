@@ -37,7 +37,7 @@ TEST_CASE("a point of a curve is within two units of the exact one, at full rang
     double worst = 0;
     for (int round = 0; round < 20'000; ++round) {
         const Segment cubic = random_cubic(random);
-        const Share share{static_cast<std::uint32_t>(random() % (Share::one + 1))};
+        const Fraction share{static_cast<std::uint32_t>(random() % (Fraction::one + 1))};
         const Point point = point_at(cubic, share);
         worst = std::max({worst, std::abs(point.x.raw() - exact(cubic, share.raw / 65536.0, &Point::x)),
                           std::abs(point.y.raw() - exact(cubic, share.raw / 65536.0, &Point::y))});
@@ -51,8 +51,8 @@ TEST_CASE("a stretch of a curve is that part of the curve")
     double worst = 0;
     for (int round = 0; round < 5'000; ++round) {
         const Segment cubic = random_cubic(random);
-        const auto begin = static_cast<std::uint32_t>(random() % Share::one);
-        const auto end = begin + static_cast<std::uint32_t>(random() % (Share::one - begin)) + 1;
+        const auto begin = static_cast<std::uint32_t>(random() % Fraction::one);
+        const auto end = begin + static_cast<std::uint32_t>(random() % (Fraction::one - begin)) + 1;
         const Segment part = stretch(cubic, {begin}, {end});
         const double inner = static_cast<double>(random() % 65537) / 65536;
         const double outer = (begin + inner * (end - begin)) / 65536;
@@ -66,9 +66,9 @@ TEST_CASE("stretches that meet share the very point, and the whole has its own e
     std::mt19937 random{63};
     for (int round = 0; round < 2'000; ++round) {
         const Segment cubic = random_cubic(random);
-        const Share middle{static_cast<std::uint32_t>(random() % 65536)};
-        CHECK(stretch(cubic, {0}, middle).to == stretch(cubic, middle, {Share::one}).from);
-        CHECK(stretch(cubic, {0}, {Share::one}) == cubic);
+        const Fraction middle{static_cast<std::uint32_t>(random() % 65536)};
+        CHECK(stretch(cubic, {0}, middle).to == stretch(cubic, middle, {Fraction::one}).from);
+        CHECK(stretch(cubic, {0}, {Fraction::one}) == cubic);
     }
 }
 
@@ -76,10 +76,10 @@ TEST_CASE("x and y have ways of their own, which may lead beyond either end")
 {
     const Segment a{.from = pixels(0, 0), .to = pixels(4, 0)};
     const Segment b{.from = pixels(8, 8), .to = pixels(12, 8)};
-    const Segment live = tween(a, b, {Way::one / 2}, {Way::one / 4});
+    const Segment live = tween(a, b, {Progress::one / 2}, {Progress::one / 4});
     CHECK(live.from == pixels(4, 2));
     CHECK(live.to == pixels(8, 2));
-    CHECK(tween(a, b, {-Way::one / 2}, {2 * Way::one}).from == pixels(-4, 16));
+    CHECK(tween(a, b, {-Progress::one / 2}, {2 * Progress::one}).from == pixels(-4, 16));
 }
 
 }

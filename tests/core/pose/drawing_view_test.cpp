@@ -177,8 +177,8 @@ TEST_CASE("a drawing in arrays morphs into another: equalized, tweened under law
 {
     constexpr std::array from{StrokeView{zigzag}};
     constexpr std::array to{StrokeView{dot}};
-    const auto x = progress(VelocityLaw::constant, Share::ratio(1, 2));
-    const auto y = progress(VelocityLaw::accelerate, Share::ratio(2, 3)); // 1 - cos 60 degrees = 1/2
+    const auto x = progress(VelocityLaw::constant, Fraction::ratio(1, 2));
+    const auto y = progress(VelocityLaw::accelerate, Fraction::ratio(2, 3)); // 1 - cos 60 degrees = 1/2
     std::vector<Point> points;
     EqualizedPair pair{DrawingView{from}, DrawingView{to}};
     while (const std::uint32_t segments = pair.next_stroke())

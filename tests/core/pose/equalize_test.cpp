@@ -103,7 +103,7 @@ void trace(Outline& outline, const std::vector<Segment>& segments)
     for (const Segment& segment : segments) {
         const std::uint32_t pieces = segment.kind == Segment::Kind::cubic ? 256 : 1;
         for (std::uint32_t piece = 1; piece <= pieces; ++piece)
-            outline.line_to(enlarged(point_at(segment, Share::ratio(piece, pieces))));
+            outline.line_to(enlarged(point_at(segment, Fraction::ratio(piece, pieces))));
     }
 }
 

@@ -45,7 +45,7 @@ struct ExactBone {
 inline double value_between(double from, double to, Time begin, Time end, Time time, const VelocityLaw& law)
 {
     const double passed = (time - begin).ticks;
-    return from + (to - from) * exact_way(law, passed / (end - begin).ticks);
+    return from + (to - from) * exact_progress(law, passed / (end - begin).ticks);
 }
 
 /// Before the first of the keys, between two of them, or behind the last one.
@@ -94,8 +94,8 @@ inline std::vector<ExactBone> exact_bones(const RawSkeleton& skeleton, Time time
         std::array<double, 4> rest{};
         std::ranges::copy(bone.set_up, rest.begin());
         const std::array<double, 4> posed = exact_values(skeleton, bone, time);
-        const double growth = bone.is_at_tip ? parent.posed_length - parent.rest_length : 0;
-        exact.push_back({frame_in(parent.rest, rest, 0), frame_in(parent.posed, posed, growth),
+        const double extension = bone.is_at_tip ? parent.posed_length - parent.rest_length : 0;
+        exact.push_back({frame_in(parent.rest, rest, 0), frame_in(parent.posed, posed, extension),
                          rest[of_bone::length] / 16, posed[of_bone::length] / 16});
     }
     return exact;

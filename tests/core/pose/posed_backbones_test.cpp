@@ -42,9 +42,9 @@ scene::Drawing random_backbones(const std::vector<int>& segments, std::mt19937& 
 
 Spot mix(Spot a, Spot b, double share) { return a + share * (b - a); }
 
-Spot mix(Spot a, Spot b, Progress way)
+Spot mix(Spot a, Spot b, ProgressXY progress)
 {
-    return {a.x + way.x.raw / 65536.0 * (b.x - a.x), a.y + way.y.raw / 65536.0 * (b.y - a.y)};
+    return {a.x + progress.x.raw / 65536.0 * (b.x - a.x), a.y + progress.y.raw / 65536.0 * (b.y - a.y)};
 }
 
 Spot in_pixels(scene::Point point) { return {point.x / 16.0, point.y / 16.0}; }
@@ -57,25 +57,25 @@ std::vector<Spot> points_of(const scene::Stroke& stroke)
     return points;
 }
 
-std::vector<Spot> points_between(const scene::Stroke& a, const scene::Stroke& b, Progress way)
+std::vector<Spot> points_between(const scene::Stroke& a, const scene::Stroke& b, ProgressXY progress)
 {
     std::vector<Spot> points = points_of(a);
     const std::vector<Spot> ends = points_of(b);
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = mix(points[i], ends[i], way);
+        points[i] = mix(points[i], ends[i], progress);
     return points;
 }
 
 /// P = C(l) + w (O(l) - C(l)), by the words of docs/format.md.
 class ExactBackbones {
 public:
-    ExactBackbones(const scene::Drawing& from, const scene::Drawing& to, Progress way,
+    ExactBackbones(const scene::Drawing& from, const scene::Drawing& to, ProgressXY progress,
                    std::uint32_t unit_bits)
         : unit_{std::exp2(unit_bits) / 16}
     {
         for (std::size_t stroke = 0; stroke < from.strokes.size(); stroke += 3) {
             const auto live = [&](std::size_t part) {
-                return points_between(from.strokes[stroke + part], to.strokes[stroke + part], way);
+                return points_between(from.strokes[stroke + part], to.strokes[stroke + part], progress);
             };
             backbones_.push_back({live(0), live(1), live(2)});
         }
@@ -128,10 +128,11 @@ private:
 /// Both on the way between two drawings.
 class Pair {
 public:
-    Pair(const scene::Drawing& from, const scene::Drawing& to, Progress way, std::uint32_t unit_bits)
-        : from_{packed(from)}, to_{packed(to)}, nodes_(backbone_node_count(drawing_at(from_, 0))),
-          live{nodes_, unit_bits, drawing_at(from_, 0), drawing_at(to_, 0), way}, exact{from, to, way,
-                                                                                        unit_bits}
+    Pair(const scene::Drawing& from, const scene::Drawing& to, ProgressXY progress, std::uint32_t unit_bits)
+        : from_{packed(from)}, to_{packed(to)},
+          nodes_(backbone_node_count(drawing_at(from_, 0))), live{nodes_, unit_bits, drawing_at(from_, 0),
+                                                                  drawing_at(to_, 0), progress},
+          exact{from, to, progress, unit_bits}
     {
     }
 
@@ -150,11 +151,13 @@ double uniform(std::mt19937& random, double min, double max)
     return std::uniform_real_distribution<double>{min, max}(random);
 }
 
-Progress random_way(std::mt19937& random)
+ProgressXY random_progress(std::mt19937& random)
 {
-    const auto way = [&random] { return Way{std::uniform_int_distribution<int>{0, Way::one}(random)}; };
-    const Way x = way();
-    return {x, random() % 2 == 0 ? x : way()};
+    const auto progress = [&random] {
+        return Progress{std::uniform_int_distribution<int>{0, Progress::one}(random)};
+    };
+    const Progress x = progress();
+    return {x, random() % 2 == 0 ? x : progress()};
 }
 
 std::vector<int> random_segments(std::mt19937& random)
@@ -241,7 +244,7 @@ TEST_CASE("any place on any backbone is within 1/64 px of the exact one, at ever
         const std::vector<int> segments = random_segments(random);
         const scene::Drawing from = random_backbones(segments, random);
         const auto bits = 4 + static_cast<std::uint32_t>(random() % 7);
-        const Pair pair{from, random_drawing_like(from, random), random_way(random), bits};
+        const Pair pair{from, random_drawing_like(from, random), random_progress(random), bits};
         for (std::size_t backbone = 0; backbone < pair.exact.count(); ++backbone) {
             const double along = uniform(random, -0.9, pair.exact.segments(backbone) + 0.9);
             const Point at = stored(pair.exact.relative(backbone, along, uniform(random, -2, 2)));
@@ -258,7 +261,7 @@ TEST_CASE("a way within one backbone leads through relative coordinates")
     double worst = 0;
     for (int round = 0; round < 5000; ++round) {
         const scene::Drawing from = random_backbones(random_segments(random), random);
-        const Pair pair{from, random_drawing_like(from, random), random_way(random), unit_bits};
+        const Pair pair{from, random_drawing_like(from, random), random_progress(random), unit_bits};
         const std::size_t backbone = random() % pair.exact.count();
         const auto random_place = [&] {
             const double along = uniform(random, -0.9, pair.exact.segments(backbone) + 0.9);
@@ -266,9 +269,9 @@ TEST_CASE("a way within one backbone leads through relative coordinates")
         };
         const Point a = random_place();
         const Point b = random_place();
-        const Progress way = random_way(random);
-        const Spot exact = pair.exact.place(backbone, mix(spot(a), spot(b), way));
-        worst = std::max(worst, apart(pair.live.between(a, b, way), exact));
+        const ProgressXY progress = random_progress(random);
+        const Spot exact = pair.exact.place(backbone, mix(spot(a), spot(b), progress));
+        worst = std::max(worst, apart(pair.live.between(a, b, progress), exact));
     }
     CHECK(worst < 1.0 / 16);
 }
@@ -279,12 +282,12 @@ TEST_CASE("a way from one backbone to another leads straight from place to place
     double worst = 0;
     for (int round = 0; round < 3000; ++round) {
         const scene::Drawing from = random_backbones({2, 3}, random);
-        const Pair pair{from, random_drawing_like(from, random), random_way(random), unit_bits};
+        const Pair pair{from, random_drawing_like(from, random), random_progress(random), unit_bits};
         const Point a = stored(pair.exact.relative(0, uniform(random, -0.9, 2.9), uniform(random, -2, 2)));
         const Point b = stored(pair.exact.relative(1, uniform(random, -0.9, 3.9), uniform(random, -2, 2)));
-        const Progress way = random_way(random);
-        const Spot exact = mix(pair.exact.place(0, spot(a)), pair.exact.place(1, spot(b)), way);
-        worst = std::max(worst, apart(pair.live.between(a, b, way), exact));
+        const ProgressXY progress = random_progress(random);
+        const Spot exact = mix(pair.exact.place(0, spot(a)), pair.exact.place(1, spot(b)), progress);
+        worst = std::max(worst, apart(pair.live.between(a, b, progress), exact));
     }
     CHECK(worst < 1.0 / 64);
 }
@@ -298,7 +301,7 @@ TEST_CASE("a way that swings beyond its ends stays on its backbone")
     const Pair pair{both, both, {}, unit_bits};
     const Point a = stored(pair.exact.relative(0, 0, 0));
     const Point b = stored(pair.exact.relative(0, 1.9, 0));
-    const Way far{5 * Way::one / 2};
+    const Progress far{5 * Progress::one / 2};
     CHECK(pair.live.between(a, b, {far, far}) == pixels(80, 32));
     const Point c = stored(pair.exact.relative(1, 0, 0));
     const Point d = stored(pair.exact.relative(1, 1.9, 0));
@@ -320,7 +323,7 @@ TEST_CASE("nodes that are far apart, and ways that swing far, are held and do no
         scene::Drawing other = wide;
         for (scene::Stroke& stroke : other.strokes)
             stroke.from = corner();
-        const Way swung{random() % 2 == 0 ? -3 * Way::one / 2 : 5 * Way::one / 2};
+        const Progress swung{random() % 2 == 0 ? -3 * Progress::one / 2 : 5 * Progress::one / 2};
         const Pair pair{wide, other, {swung, swung}, 4};
         const auto anywhere = [&random] {
             return Point{Fixed::sixteenths(static_cast<std::int16_t>(random())),

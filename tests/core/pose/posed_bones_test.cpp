@@ -56,7 +56,7 @@ double worst_error(std::mt19937& random, Turns turns)
 }
 
 /// What becomes of a point at `at` with one bone that turns from `from` to `to` in two frames.
-Point carried(std::int32_t from, std::int32_t to, bool as_written, Time time, Point at)
+Point deformed(std::int32_t from, std::int32_t to, bool as_written, Time time, Point at)
 {
     RawBone bone{.turns_as_written = as_written};
     bone.keys[angle].own = {{{}, 0, from}, {Time::frame(2), 0, to}};
@@ -122,7 +122,7 @@ TEST_CASE("several skeletons lie one after the other, and what was shown before 
 TEST_CASE("angles take the shortest way, just half a turn against the clock")
 {
     const auto half_way = [](std::int32_t from, std::int32_t to) {
-        return carried(from, to, false, Time::frame(1), pixels(100, 0));
+        return deformed(from, to, false, Time::frame(1), pixels(100, 0));
     };
     CHECK(half_way(0, 32767).y > Fixed::pixels(99));
     CHECK(half_way(0, 32768) == pixels(0, -100));
@@ -135,17 +135,17 @@ TEST_CASE("angles take the shortest way, just half a turn against the clock")
 
 TEST_CASE("keys of the shortest way count modulo one turn")
 {
-    CHECK(carried(5 * 65536, -3 * 65536 + 16384, false, Time::frame(1), pixels(64, 0)) ==
-          carried(0, 16384, false, Time::frame(1), pixels(64, 0)));
+    CHECK(deformed(5 * 65536, -3 * 65536 + 16384, false, Time::frame(1), pixels(64, 0)) ==
+          deformed(0, 16384, false, Time::frame(1), pixels(64, 0)));
 }
 
 TEST_CASE("angles as written make all of their turns")
 {
-    const auto at = [](int ticks) { return carried(0, -16 * 65536, true, {ticks}, pixels(100, 0)); };
+    const auto at = [](int ticks) { return deformed(0, -16 * 65536, true, {ticks}, pixels(100, 0)); };
     CHECK(at(1024) == pixels(100, 0)); // 8 turns
     CHECK(at(32) == pixels(0, -100));  // a quarter of one
     CHECK(at(64) == pixels(-100, 0));
-    CHECK(carried(0, 32768, true, Time::frame(1), pixels(100, 0)) == pixels(0, 100));
+    CHECK(deformed(0, 32768, true, Time::frame(1), pixels(100, 0)) == pixels(0, 100));
 }
 
 TEST_CASE("a child at the tip moves with the length of its parent, any other stays")

@@ -10,14 +10,14 @@ namespace {
 
 std::int32_t q16(double value) { return static_cast<std::int32_t>(std::lround(value * Fixed::one)); }
 
-Affine turned(double degrees, double growth, bool is_mirrored = false)
+Affine turned(double degrees, double scale_factor, bool is_mirrored = false)
 {
     const double angle = degrees * 3.14159265358979 / 180;
     const double sign = is_mirrored ? -1 : 1;
-    return {.xx = q16(std::cos(angle) * growth),
-            .xy = q16(-std::sin(angle) * growth * sign),
-            .yx = q16(std::sin(angle) * growth),
-            .yy = q16(std::cos(angle) * growth * sign),
+    return {.xx = q16(std::cos(angle) * scale_factor),
+            .xy = q16(-std::sin(angle) * scale_factor * sign),
+            .yx = q16(std::sin(angle) * scale_factor),
+            .yy = q16(std::cos(angle) * scale_factor * sign),
             .x0 = q16(100),
             .y0 = q16(-7.3)};
 }
@@ -35,8 +35,8 @@ TEST_CASE("what is only turned keeps the scale of the canvas")
 
 TEST_CASE("the scale is that of the octave, and not finer than needed")
 {
-    const auto bits = [](double growth) {
-        const auto placement = RigidPlacements{}.of(turned(30, growth));
+    const auto bits = [](double scale_factor) {
+        const auto placement = RigidPlacements{}.of(turned(30, scale_factor));
         return placement ? placement->scale_bits : 99;
     };
     CHECK(bits(1.06) == 0);
@@ -73,15 +73,16 @@ TEST_CASE("corners are placed where the map places points")
     for (int round = 0; round < 3000; ++round) {
         const auto part = [&random] { return static_cast<double>(random() % 1000) / 1000; };
         const double canvas = round % 2 == 0 ? 1 : 0.3 + 3 * part();
-        const double growth = canvas * (0.07 + 4 * part());
-        const Affine map = turned(360 * part(), growth, random() % 2 == 0);
+        const double scale_factor = canvas * (0.07 + 4 * part());
+        const Affine map = turned(360 * part(), scale_factor, random() % 2 == 0);
         const auto placement = RigidPlacements{q16(canvas)}.of(map);
         REQUIRE(placement);
         const Point at{Fixed::from_raw(static_cast<std::int32_t>(random() % (200 << 16))),
                        Fixed::from_raw(static_cast<std::int32_t>(random() % (200 << 16)))};
         const raster::Corner placed = placement->map(raster::corner_at(placement->upright()(at)));
         const raster::Corner direct = raster::corner_at(map(at));
-        const double reach = 200.0 * raster::grid * std::max(placement->scale, q16(growth)) / Fixed::one;
+        const double reach =
+            200.0 * raster::grid * std::max(placement->scale, q16(scale_factor)) / Fixed::one;
         const double max = 1.5 + 2 * reach / (1 << 15); // both factors are rounded, too
         CHECK(std::abs(placed.x - direct.x) <= max);
         CHECK(std::abs(placed.y - direct.y) <= max);

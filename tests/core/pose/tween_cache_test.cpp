@@ -1,6 +1,6 @@
 #include "core/pose/tween_cache.hpp"
 
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 #include "tests/core/raw_drawing.hpp"
 
 #include <doctest/doctest.h>
@@ -21,9 +21,12 @@ struct InputStroke {
     friend bool operator==(const InputStroke&, const InputStroke&) = default;
 };
 
-Point between(const Pair<Point>& both, Progress way) { return lerp(both.a, both.b, way.x, way.y); }
+Point between(const Pair<Point>& both, ProgressXY progress)
+{
+    return lerp(both.a, both.b, progress.x, progress.y);
+}
 
-std::vector<InputStroke> streamed(EqualizedPair<CarriedDrawing> pair, Progress way)
+std::vector<InputStroke> streamed(EqualizedPair<DeformedDrawing> pair, ProgressXY progress)
 {
     std::vector<InputStroke> strokes;
     while (const std::uint32_t segments = pair.next_stroke()) {
@@ -34,26 +37,28 @@ std::vector<InputStroke> streamed(EqualizedPair<CarriedDrawing> pair, Progress w
             REQUIRE(both.a.kind == both.b.kind);
             if (i == 0) {
                 first = {both.a.from, both.b.from};
-                stroke.points.push_back(between(first, way));
+                stroke.points.push_back(between(first, progress));
             }
             stroke.cubics.push_back(both.a.kind == Segment::Kind::cubic);
             if (stroke.cubics.back()) {
-                stroke.points.push_back(between({both.a.c1, both.b.c1}, way));
-                stroke.points.push_back(between({both.a.c2, both.b.c2}, way));
+                stroke.points.push_back(between({both.a.c1, both.b.c1}, progress));
+                stroke.points.push_back(between({both.a.c2, both.b.c2}, progress));
             }
-            stroke.points.push_back(between({both.a.to, both.b.to}, way));
+            stroke.points.push_back(between({both.a.to, both.b.to}, progress));
             stroke.is_closed = pair.is_whole() && first.a == both.a.to && first.b == both.b.to;
         }
         stroke.is_whole = pair.is_whole();
-        stroke.hub = stroke.is_whole ? stroke.points.front() : between(pair.hub(), way);
+        stroke.hub = stroke.is_whole ? stroke.points.front() : between(pair.hub(), progress);
     }
     return strokes;
 }
 
 /// By one of the two ways to read points.
-std::vector<InputStroke> kept(TweenReader tween, Progress way, bool by_twos)
+std::vector<InputStroke> kept(TweenReader tween, ProgressXY progress, bool by_twos)
 {
-    const auto next = [&] { return by_twos ? between(tween.next_points(), way) : tween.next_point(way); };
+    const auto next = [&] {
+        return by_twos ? between(tween.next_points(), progress) : tween.next_point(progress);
+    };
     std::vector<InputStroke> strokes;
     for (std::uint32_t i = 0; i < tween.strokes(); ++i) {
         InputStroke& stroke = strokes.emplace_back();
@@ -66,7 +71,7 @@ std::vector<InputStroke> kept(TweenReader tween, Progress way, bool by_twos)
         }
         stroke.is_whole = tween.is_whole();
         stroke.is_closed = tween.is_closed();
-        stroke.hub = stroke.is_whole ? stroke.points.front() : between(tween.hub(), way);
+        stroke.hub = stroke.is_whole ? stroke.points.front() : between(tween.hub(), progress);
     }
     return strokes;
 }
@@ -75,9 +80,9 @@ std::vector<InputStroke> kept(TweenReader tween, Progress way, bool by_twos)
 struct Drawings {
     Drawings(const scene::Drawing& a, const scene::Drawing& b) : from{raw.add(a)}, to{raw.add(b)} {}
 
-    EqualizedPair<CarriedDrawing> pair() const
+    EqualizedPair<DeformedDrawing> pair() const
     {
-        return {CarriedDrawing{drawing_at(raw.bytes(), from)}, CarriedDrawing{drawing_at(raw.bytes(), to)}};
+        return {DeformedDrawing{drawing_at(raw.bytes(), from)}, DeformedDrawing{drawing_at(raw.bytes(), to)}};
     }
 
     RawDrawings raw;
@@ -92,13 +97,13 @@ struct Memory {
     PictureCache cache;
 };
 
-Progress random_way(std::mt19937& random)
+ProgressXY random_progress(std::mt19937& random)
 {
-    const auto way = [&random] {
-        return Way{std::uniform_int_distribution<std::int32_t>{-98304, 163840}(random)};
+    const auto progress = [&random] {
+        return Progress{std::uniform_int_distribution<std::int32_t>{-98304, 163840}(random)};
     };
-    const Way x = way();
-    return {x, way()};
+    const Progress x = progress();
+    return {x, progress()};
 }
 
 /// At the ends of what coordinates can be, or near each other.
@@ -139,12 +144,12 @@ TEST_CASE("drawings that are kept come to the same strokes as those that are mad
                     stroke.segments.back().to = stroke.from;
         const Drawings drawings{a, b};
         Memory memory{2'000};
-        const Progress way = random_way(random);
-        const std::vector<InputStroke> strokes = streamed(drawings.pair(), way);
+        const ProgressXY progress = random_progress(random);
+        const std::vector<InputStroke> strokes = streamed(drawings.pair(), progress);
         for (const bool by_twos : {false, true}) {
             const auto tween = kept_tween(memory.cache, drawings.raw.bytes(), drawings.from, drawings.to);
             REQUIRE(tween);
-            REQUIRE(kept(*tween, way, by_twos) == strokes);
+            REQUIRE(kept(*tween, progress, by_twos) == strokes);
         }
         for (const InputStroke& stroke : strokes) {
             parts += stroke.is_whole ? 0 : 1;

@@ -1,4 +1,4 @@
-#include "core/bytes/work.hpp"
+#include "core/bytes/op_counter.hpp"
 #include "core/raster/renderer.hpp"
 #include "tests/core/raster/panel_model.hpp"
 #include "tests/core/raster/random_picture.hpp"
@@ -196,32 +196,32 @@ void show_rectangles(Renderer& renderer, const Rect& rect)
 
 TEST_CASE("rows that nothing reaches which has changed are not sent, and bands are passed over")
 {
-    class Tally : public WorkTally {
+    class Counter : public OpCounter {
     public:
         std::uint32_t* counts_for(std::uint32_t) override { return all.data(); }
-        std::uint32_t bands() const { return all[static_cast<std::size_t>(Work::band)]; }
+        std::uint32_t bands() const { return all[static_cast<std::size_t>(Op::band)]; }
 
-        std::array<std::uint32_t, work_kinds> all{};
+        std::array<std::uint32_t, op_kinds> all{};
     };
 
     OwnedRenderer renderer{needs_of({}), {60, 50}};
     PanelModel<PixelFormat::rgb565> panel{{60, 50}, {1, 1}};
     show_rectangles(*renderer, {20, 17, 6, 2});
     panel.take(*renderer, 8);
-    Tally tally;
-    tally.counts = tally.all.data();
-    work_tally = &tally;
+    Counter counter;
+    counter.counts = counter.all.data();
+    op_counter = &counter;
     std::size_t before = panel.sent_bytes();
     show_rectangles(*renderer, {22, 17, 6, 2}); // rows 17 and 18, columns 20 to 28
     panel.take(*renderer, 8);
     CHECK(panel.sent_bytes() - before <= std::size_t{2} * 9 * 2);
-    CHECK(tally.bands() == 1);
+    CHECK(counter.bands() == 1);
     before = panel.sent_bytes();
     show_rectangles(*renderer, {22, 18, 6, 4});
     panel.take(*renderer, 8);
     CHECK(panel.sent_bytes() - before <= std::size_t{5} * 7 * 2); // rows 17 to 21, columns 22 to 28
-    CHECK(tally.bands() == 3);
-    work_tally = nullptr;
+    CHECK(counter.bands() == 3);
+    op_counter = nullptr;
 }
 
 TEST_CASE("outlines with a corner less at the origin are others")

@@ -78,7 +78,7 @@ TEST_CASE("an object may be carried by bones, each key with a skin")
     const Bytes items =
         joined({bytes({0x88, 1, 3}), key_bytes({{Time::frame(2), 2, 10, 20}, {{2 * 1024 + 3}, 0, 30, -5}})});
     const ObjectView object = ItemCursor{ByteReader{items}}.next().object;
-    CHECK(object.carrier == Carrier::bones);
+    CHECK(object.deformer == Deformer::bones);
     CHECK(object.skeleton == 2);
     KeyCursor keys = object.keys();
     CHECK(keys.next().more == 20);
@@ -95,7 +95,7 @@ TEST_CASE("an object may be carried by backbones, which have keys of their own")
                 bytes({0, 60, 80}), bytes({0x08, 2, 0, 0})});
     ItemCursor cursor{ByteReader{items}};
     const ObjectView object = cursor.next().object;
-    CHECK(object.carrier == Carrier::backbones);
+    CHECK(object.deformer == Deformer::backbones);
     CHECK(object.backbones.unit_bits == 9);
     BackboneKeyCursor backbones = object.backbones.keys();
     const BackboneKey first = backbones.next();

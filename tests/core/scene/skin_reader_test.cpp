@@ -9,12 +9,12 @@
 namespace kfast::test {
 namespace {
 
-using Shares = std::vector<RawShare>;
+using Shares = std::vector<RawInfluence>;
 
 Shares shares_of(const Binding& binding)
 {
     Shares shares;
-    binding.each([&shares](BoneShare share) {
+    binding.each([&shares](BoneInfluence share) {
         shares.push_back({static_cast<int>(share.bone), share.weight});
     });
     CHECK(binding.count() == shares.size());

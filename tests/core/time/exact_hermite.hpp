@@ -24,10 +24,11 @@ public:
             return keys_.back().value;
         const KeySample& from = keys_[next - 1];
         const KeySample& to = keys_[next];
-        const double way = double(to.time.ticks) - from.time.ticks;
-        const double u = (double(time.ticks) - from.time.ticks) / way;
-        return (1 + 2 * u) * (1 - u) * (1 - u) * from.value + u * (1 - u) * (1 - u) * way * slope(next - 1) +
-               u * u * (3 - 2 * u) * to.value + u * u * (u - 1) * way * slope(next);
+        const double duration = double(to.time.ticks) - from.time.ticks;
+        const double u = (double(time.ticks) - from.time.ticks) / duration;
+        return (1 + 2 * u) * (1 - u) * (1 - u) * from.value +
+               u * (1 - u) * (1 - u) * duration * slope(next - 1) + u * u * (3 - 2 * u) * to.value +
+               u * u * (u - 1) * duration * slope(next);
     }
 
 private:

@@ -8,7 +8,7 @@
 namespace kfast::test {
 
 /// The share of the way at a share of the time, by the formula of the law; not of a bezier.
-inline double exact_way(const VelocityLaw& law, double time)
+inline double exact_progress(const VelocityLaw& law, double time)
 {
     using std::numbers::pi;
     switch (law.kind) {

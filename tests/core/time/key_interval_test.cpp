@@ -33,7 +33,7 @@ std::pair<int, int> around(const std::vector<Moment>& keys, int ticks)
 using Ticks = std::pair<int, int>;
 
 /// From 0 to `length`, both axes by `law`.
-Progress progress_at(Time time, Time length, const VelocityLaw& law)
+ProgressXY progress_at(Time time, Time length, const VelocityLaw& law)
 {
     return progress_between({}, length, time, {law, law});
 }
@@ -77,10 +77,10 @@ TEST_CASE("x and y go by their own laws")
 TEST_CASE("where there is no way, nothing of it has been gone")
 {
     const LawPair even{};
-    CHECK(progress_between({5}, {5}, {5}, even).x == Way{});
-    CHECK(progress_between({5}, {5}, {7}, even).x == Way{});
-    CHECK(progress_between({5}, {5}, {3}, even).y == Way{});
-    CHECK(progress_between({0}, {2}, {1}, even).y == Way{Way::one / 2});
+    CHECK(progress_between({5}, {5}, {5}, even).x == Progress{});
+    CHECK(progress_between({5}, {5}, {7}, even).x == Progress{});
+    CHECK(progress_between({5}, {5}, {3}, even).y == Progress{});
+    CHECK(progress_between({0}, {2}, {1}, even).y == Progress{Progress::one / 2});
 }
 
 TEST_CASE("steps come at their frames, though the share of the time is rounded")

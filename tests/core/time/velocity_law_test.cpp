@@ -79,14 +79,14 @@ double bezier_error(const VelocityLaw& law, std::uint32_t time, double slack)
         min = std::min(min, value);
         max = std::max(max, value);
     }
-    const double way = progress(law, {time}).raw;
-    return std::max(min - way, way - max);
+    const double value = progress(law, {time}).raw;
+    return std::max(min - value, value - max);
 }
 
 double worst_bezier_error(const VelocityLaw& law, double slack)
 {
     double worst = 0;
-    for (std::uint32_t time = 0; time <= Share::one; ++time)
+    for (std::uint32_t time = 0; time <= Fraction::one; ++time)
         worst = std::max(worst, bezier_error(law, time, slack));
     return worst;
 }
@@ -94,7 +94,7 @@ double worst_bezier_error(const VelocityLaw& law, double slack)
 int falls(const VelocityLaw& law)
 {
     int count = 0;
-    for (std::uint32_t time = 1; time <= Share::one; ++time)
+    for (std::uint32_t time = 1; time <= Fraction::one; ++time)
         count += progress(law, {time}) < progress(law, {time - 1});
     return count;
 }
@@ -102,7 +102,7 @@ int falls(const VelocityLaw& law)
 void check_ends(const VelocityLaw& law)
 {
     CHECK(progress(law, {0}).raw == 0);
-    CHECK(progress(law, {Share::one}).raw == Way::one);
+    CHECK(progress(law, {Fraction::one}).raw == Progress::one);
 }
 
 VelocityLaw random_bezier(std::mt19937& random, int min_y, int max_y)
@@ -124,8 +124,8 @@ TEST_CASE("every smooth law is within 0.51 units in the last place of the exact 
 {
     for (const VelocityLaw& law : smooth_laws) {
         double worst = 0;
-        for (std::uint32_t time = 0; time <= Share::one; ++time) {
-            const double error = progress(law, {time}).raw - exact_way(law, time / 65536.0) * 65536;
+        for (std::uint32_t time = 0; time <= Fraction::one; ++time) {
+            const double error = progress(law, {time}).raw - exact_progress(law, time / 65536.0) * 65536;
             worst = std::max(worst, std::abs(error));
         }
         CAPTURE(static_cast<int>(law.kind));
@@ -213,17 +213,17 @@ TEST_CASE("halfway marks tell the laws apart")
 TEST_CASE("hold keeps the earlier key until the very end")
 {
     CHECK(progress(VelocityLaw::hold, {1}).raw == 0);
-    CHECK(progress(VelocityLaw::hold, {Share::one - 1}).raw == 0);
+    CHECK(progress(VelocityLaw::hold, {Fraction::one - 1}).raw == 0);
 }
 
 TEST_CASE("steps jump at the shares nearest to k/n, to those very shares")
 {
     for (const std::uint16_t n : step_counts)
         for (std::uint32_t k = 1; k <= n; ++k) {
-            const Share jump = Share::ratio(k, n);
+            const Fraction jump = Fraction::ratio(k, n);
             REQUIRE(progress(VelocityLaw::in_steps(n), jump).raw == static_cast<std::int32_t>(jump.raw));
             REQUIRE(progress(VelocityLaw::in_steps(n), {jump.raw - 1}).raw ==
-                    static_cast<std::int32_t>(Share::ratio(k - 1, n).raw));
+                    static_cast<std::int32_t>(Fraction::ratio(k - 1, n).raw));
         }
 }
 

@@ -7,18 +7,18 @@
 /// Short ways to say what a document consists of.
 namespace kfast::test {
 
-inline art::Figure filled(art::Animated<art::Drawing> drawing)
+inline art::Shape filled(art::Animated<art::Drawing> drawing)
 {
-    art::Figure figure;
-    figure.drawing = std::move(drawing);
-    figure.fill.emplace();
-    return figure;
+    art::Shape shape;
+    shape.drawing = std::move(drawing);
+    shape.fill.emplace();
+    return shape;
 }
 
-inline art::Node node_of(art::Figure figure)
+inline art::Node node_of(art::Shape shape)
 {
     art::Node node;
-    node.content = std::move(figure);
+    node.content = std::move(shape);
     return node;
 }
 

@@ -70,7 +70,7 @@ private:
             if (const auto* group = std::get_if<art::Group>(&node.content))
                 draw(group->nodes, way);
             else
-                drawings_[node.name] = on_canvas(std::get<art::Figure>(node.content).drawing.at(time_), way);
+                drawings_[node.name] = on_canvas(std::get<art::Shape>(node.content).drawing.at(time_), way);
         }
     }
 
@@ -98,9 +98,9 @@ private:
         if (!document_.camera)
             return {place.x, place.y};
         const double camera = *document_.camera;
-        const double growth = camera / (camera - std::min(place.z, camera * 15 / 16));
+        const double scale_factor = camera / (camera - std::min(place.z, camera * 15 / 16));
         const scene::Vec2 middle{document_.width / 2, document_.height / 2};
-        return middle + growth * (scene::Vec2{place.x, place.y} - middle);
+        return middle + scale_factor * (scene::Vec2{place.x, place.y} - middle);
     }
 
     const art::Document& document_;

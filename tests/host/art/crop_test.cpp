@@ -14,9 +14,9 @@ using art::Channel;
 using art::Document;
 using art::Drawing;
 using art::EaseKind;
-using art::Figure;
 using art::Key;
 using art::Node;
+using art::Shape;
 
 Document of(Node node)
 {
@@ -55,13 +55,13 @@ TEST_CASE("a cropped animation goes as before within the scene, with keys in it 
 
 TEST_CASE("drawings, colours, bones and what lies deep inside are cropped")
 {
-    Figure figure;
-    figure.drawing = art::Animated<Drawing>{{{-10, square(10), {}}, {20, square(40), {}}}};
-    figure.fill.emplace().colour = art::Animated<art::Rgb>{{{-10, {0, 0, 0}, {}}, {30, {1, 1, 1}, {}}}};
-    figure.line.emplace().width = Channel{{{-10, 0, {}}, {30, 4, {}}}};
+    Shape shape;
+    shape.drawing = art::Animated<Drawing>{{{-10, square(10), {}}, {20, square(40), {}}}};
+    shape.fill.emplace().colour = art::Animated<art::Rgb>{{{-10, {0, 0, 0}, {}}, {30, {1, 1, 1}, {}}}};
+    shape.stroke.emplace().width = Channel{{{-10, 0, {}}, {30, 4, {}}}};
     art::Group group;
     group.nodes.push_back(Node{});
-    group.nodes.back().content = figure;
+    group.nodes.back().content = shape;
     Node outer;
     outer.content = group;
     Document document = of(outer);
@@ -70,11 +70,11 @@ TEST_CASE("drawings, colours, bones and what lies deep inside are cropped")
     art::Losses losses;
     art::crop(document, losses);
 
-    const auto& inner = std::get<Figure>(std::get<art::Group>(document.nodes[0].content).nodes[0].content);
+    const auto& inner = std::get<Shape>(std::get<art::Group>(document.nodes[0].content).nodes[0].content);
     CHECK(inner.drawing.keys.front() == Key<Drawing>{0, square(20), {}});
     CHECK(inner.drawing.keys.back() == Key<Drawing>{10, square(30), {}});
     CHECK(inner.fill->colour.keys.front() == Key<art::Rgb>{0, {0.25, 0.25, 0.25}, {}});
-    CHECK(inner.line->width.keys.back() == Key<double>{10, 2, {}});
+    CHECK(inner.stroke->width.keys.back() == Key<double>{10, 2, {}});
     CHECK(document.rigs[0].bones[0].length->keys.front() == Key<double>{0, 1, {}});
     CHECK(losses.empty());
 }
@@ -96,16 +96,16 @@ TEST_CASE("what happens only outside of the scene is a constant")
 
 TEST_CASE("drawings of different form keep their way to a key behind the end")
 {
-    Figure figure;
+    Shape shape;
     const Drawing triangle{{scene::polyline(std::vector<scene::Vec2>{{0, 0}, {9, 0}, {0, 9}}, true)}};
-    figure.drawing = art::Animated<Drawing>{{{-4, triangle, {}}, {5, square(10), {}}, {20, triangle, {}}}};
+    shape.drawing = art::Animated<Drawing>{{{-4, triangle, {}}, {5, square(10), {}}, {20, triangle, {}}}};
     Node node;
     node.name = "morph";
-    node.content = figure;
+    node.content = shape;
     Document document = of(node);
     art::Losses losses;
     art::crop(document, losses);
-    const auto& keys = std::get<Figure>(document.nodes[0].content).drawing.keys;
+    const auto& keys = std::get<Shape>(document.nodes[0].content).drawing.keys;
     REQUIRE(keys.size() == 3);
     CHECK(keys[0].time == 0);
     CHECK(keys[2].time == 20);

@@ -67,9 +67,9 @@ private:
         return {{outline}};
     }
 
-    art::Node figure()
+    art::Node shape()
     {
-        art::Figure figure;
+        art::Shape shape;
         constexpr int count = 30;
         std::vector<art::Key<art::Drawing>> keys;
         keys.reserve(count);
@@ -77,10 +77,10 @@ private:
             keys.push_back({1.25 * i, drawing({10 * std::sin(0.15 * i), random_.number(0, 0.01)}), {}});
         if (random_.chance(0.5))
             keys.resize(1);
-        figure.drawing = art::Animated<art::Drawing>{std::move(keys)};
-        figure.fill.emplace();
+        shape.drawing = art::Animated<art::Drawing>{std::move(keys)};
+        shape.fill.emplace();
         art::Node node;
-        node.content = std::move(figure);
+        node.content = std::move(shape);
         return named(std::move(node));
     }
 
@@ -88,7 +88,7 @@ private:
     {
         art::Group group;
         for (int i = random_.integer(1, 2); i > 0; --i)
-            group.nodes.push_back(depth > 0 && random_.chance(0.7) ? this->group(depth - 1) : figure());
+            group.nodes.push_back(depth > 0 && random_.chance(0.7) ? this->group(depth - 1) : shape());
         art::Node node;
         node.content = std::move(group);
         return named(std::move(node));

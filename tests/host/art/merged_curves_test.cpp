@@ -17,23 +17,23 @@ namespace {
 using art::Animated;
 using art::CubicPiece;
 using art::Drawing;
-using art::Figure;
+using art::Shape;
 using scene::Outline;
 using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
 
-Figure stroked(Animated<Drawing> drawing, double width, Join join)
+Shape stroked(Animated<Drawing> drawing, double width, Join join)
 {
-    Figure figure;
-    figure.drawing = std::move(drawing);
-    figure.line.emplace();
-    figure.line->width = width;
-    figure.line->join = join;
-    return figure;
+    Shape shape;
+    shape.drawing = std::move(drawing);
+    shape.stroke.emplace();
+    shape.stroke->width = width;
+    shape.stroke->join = join;
+    return shape;
 }
 
-const Outline& first(const Figure& figure) { return figure.drawing.keys[0].value.outlines[0]; }
+const Outline& first(const Shape& shape) { return shape.drawing.keys[0].value.outlines[0]; }
 
 /// The curves of an outline, each divided at the same parameters in all keys.
 Outline divided(const Outline& outline, const std::vector<double>& at, RandomArt& random, double noise)
@@ -83,7 +83,7 @@ Outline wild(RandomArt& random, const std::vector<bool>& cubic)
     return outline;
 }
 
-std::size_t curves_of(const Figure& figure) { return first(figure).curves.size(); }
+std::size_t curves_of(const Shape& shape) { return first(shape).curves.size(); }
 
 }
 
@@ -103,9 +103,9 @@ TEST_CASE("merging moves nothing by more than the tolerance, at any time")
             keys.push_back({10.0 * static_cast<double>(keys.size()),
                             {{divided(wild(random, cubic), at, random, noise)}},
                             random.ease()});
-        const Figure given = seed % 2 == 0 ? filled(Animated<Drawing>{keys})
-                                           : stroked(Animated<Drawing>{keys}, 3, Join::round);
-        Figure merged = given;
+        const Shape given = seed % 2 == 0 ? filled(Animated<Drawing>{keys})
+                                          : stroked(Animated<Drawing>{keys}, 3, Join::round);
+        Shape merged = given;
         art::merge_curves(merged, tolerance);
         before += curves_of(given);
         after += curves_of(merged);
@@ -127,10 +127,10 @@ TEST_CASE("what was divided becomes one curve again, in all keys")
         keys.reserve(count);
         for (int key = 0; key < count; ++key)
             keys.push_back({10.0 * key, {{divided(wild(random, {true}), at, random, 0)}}, {}});
-        Figure figure = filled(Animated<Drawing>{keys});
-        art::merge_curves(figure, tolerance);
-        CHECK(curves_of(figure) == 1);
-        for (const auto& key : figure.drawing.keys)
+        Shape shape = filled(Animated<Drawing>{keys});
+        art::merge_curves(shape, tolerance);
+        CHECK(curves_of(shape) == 1);
+        for (const auto& key : shape.drawing.keys)
             CHECK(key.value.outlines[0].curves.size() == 1);
     }
 }
@@ -140,17 +140,17 @@ TEST_CASE("lines in a row become one, many short ones a curve")
     Outline outline{{0, 0}, {}, true};
     for (const Vec2 to : {Vec2{10, 0.01}, {25, 0}, {50, 0}, {50, 10}, {50, 40}})
         outline.curves.push_back(scene::line_to(to));
-    Figure figure = filled(Drawing{{outline}});
-    art::merge_curves(figure, tolerance);
-    CHECK(curves_of(figure) == 2);
+    Shape shape = filled(Drawing{{outline}});
+    art::merge_curves(shape, tolerance);
+    CHECK(curves_of(shape) == 2);
 
     Outline round{{100, 0}, {}, false};
     for (int i = 1; i <= 200; ++i) {
         const double angle = std::numbers::pi * i / 200;
         round.curves.push_back(scene::line_to({100 * std::cos(angle), 100 * std::sin(angle)}));
     }
-    const Figure given = filled(Drawing{{round}});
-    Figure arc = given;
+    const Shape given = filled(Drawing{{round}});
+    Shape arc = given;
     art::merge_curves(arc, tolerance);
     CHECK(curves_of(arc) < 5);
     CHECK(drawn_distance(given.drawing.value(), arc.drawing.value()) <= tolerance);
@@ -161,19 +161,19 @@ TEST_CASE("a curve that is straight becomes a line, if it is so in all keys")
     const auto straight = [](Vec2 to, double first, double second) {
         return Drawing{{Outline{{0, 0}, {scene::cubic_to(first * to, second * to, to)}, false}}};
     };
-    Figure still = filled(straight({40, 30}, 0.1, 0.7));
+    Shape still = filled(straight({40, 30}, 0.1, 0.7));
     art::merge_curves(still, tolerance);
     CHECK(!first(still).curves[0].cubic);
-    Figure same = filled(
+    Shape same = filled(
         Animated<Drawing>{{{0, straight({40, 30}, 0.1, 0.7), {}}, {9, straight({0, 50}, 0.1, 0.7), {}}}});
     art::merge_curves(same, tolerance);
     CHECK(!first(same).curves[0].cubic);
     // Both are straight, but what is between them is not.
-    Figure other = filled(
+    Shape other = filled(
         Animated<Drawing>{{{0, straight({40, 30}, 0.1, 0.7), {}}, {9, straight({0, 50}, 0.5, 0.9), {}}}});
     art::merge_curves(other, tolerance);
     CHECK(first(other).curves[0].cubic);
-    Figure beyond = filled(straight({40, 30}, 0.1, 1.5));
+    Shape beyond = filled(straight({40, 30}, 0.1, 1.5));
     art::merge_curves(beyond, tolerance);
     CHECK(first(beyond).curves[0].cubic);
 }
@@ -184,10 +184,10 @@ TEST_CASE("segments of no length in all keys vanish, those of some length in one
         return Drawing{
             {scene::polyline(std::vector<Vec2>{{0, 0}, {9, 0}, {9, 0}, {9, 0}, third, {0, 9}}, true)}};
     };
-    Figure figure = filled(Animated<Drawing>{{{0, with({9, 0}), {}}, {9, with({12, 5}), {}}}});
-    art::merge_curves(figure, tolerance);
-    CHECK(curves_of(figure) == 3);
-    Figure still = filled(with({9, 0}));
+    Shape shape = filled(Animated<Drawing>{{{0, with({9, 0}), {}}, {9, with({12, 5}), {}}}});
+    art::merge_curves(shape, tolerance);
+    CHECK(curves_of(shape) == 3);
+    Shape still = filled(with({9, 0}));
     art::merge_curves(still, tolerance);
     CHECK(curves_of(still) == 2);
 }
@@ -198,21 +198,21 @@ TEST_CASE("the small zigzag of a wide line with miters keeps its tips")
     for (int i = 1; i <= 10; ++i)
         zigzag.curves.push_back(scene::line_to({i * 0.1, i % 2 * 0.02}));
     zigzag.curves.push_back(scene::line_to({50, 0}));
-    Figure round = stroked(Drawing{{zigzag}}, 8, Join::round);
-    round.line->cap = Cap::round;
+    Shape round = stroked(Drawing{{zigzag}}, 8, Join::round);
+    round.stroke->cap = Cap::round;
     art::merge_curves(round, tolerance);
     CHECK(curves_of(round) < 11);
-    Figure mitred = stroked(Drawing{{zigzag}}, 8, Join::miter);
+    Shape mitred = stroked(Drawing{{zigzag}}, 8, Join::miter);
     art::merge_curves(mitred, tolerance);
     CHECK(curves_of(mitred) >= 10);
 
     Outline notch{{0, 0}, {}, false};
     for (const Vec2 to : {Vec2{5, 0}, {5.1, 0.015}, {5.2, -0.015}, {5.3, 0}, {10, 0}})
         notch.curves.push_back(scene::line_to(to));
-    Figure smooth = filled(Drawing{{notch}});
+    Shape smooth = filled(Drawing{{notch}});
     art::merge_curves(smooth, tolerance);
     CHECK(curves_of(smooth) == 1);
-    Figure tipped = stroked(Drawing{{notch}}, 8, Join::miter);
+    Shape tipped = stroked(Drawing{{notch}}, 8, Join::miter);
     art::merge_curves(tipped, tolerance);
     CHECK(curves_of(tipped) == 5);
 }
@@ -223,10 +223,10 @@ TEST_CASE("merging keeps the angles of corners")
     Outline corner{{0, 0}, {}, false};
     for (const Vec2 to : {Vec2{20, 0}, {39, 0}, {40, 0.02}, {0, 12}})
         corner.curves.push_back(scene::line_to(to));
-    Figure fill = filled(Drawing{{corner}});
+    Shape fill = filled(Drawing{{corner}});
     art::merge_curves(fill, tolerance);
     CHECK(curves_of(fill) == 2);
-    Figure wide = stroked(Drawing{{corner}}, 6, Join::miter);
+    Shape wide = stroked(Drawing{{corner}}, 6, Join::miter);
     art::merge_curves(wide, tolerance);
     CHECK(curves_of(wide) == 3);
 }
@@ -235,11 +235,11 @@ TEST_CASE("drawings of different forms, and those of bones, are not merged")
 {
     const Drawing three{{scene::polyline(std::vector<Vec2>{{0, 0}, {5, 0}, {9, 0}, {9, 9}}, true)}};
     const Drawing two{{scene::polyline(std::vector<Vec2>{{0, 0}, {9, 0}, {9, 9}}, true)}};
-    const Figure given = filled(Animated<Drawing>{{{0, three, {}}, {9, two, {}}}});
-    Figure merged = given;
+    const Shape given = filled(Animated<Drawing>{{{0, three, {}}, {9, two, {}}}});
+    Shape merged = given;
     art::merge_curves(merged, tolerance);
     CHECK(merged == given);
-    Figure skinned = filled(three);
+    Shape skinned = filled(three);
     skinned.skin.emplace();
     art::merge_curves(skinned, tolerance);
     CHECK(curves_of(skinned) == 3);
@@ -250,14 +250,14 @@ TEST_CASE("a hundred thousand points are merged at once")
     Outline outline{{0, 0}, {}, false};
     for (int i = 1; i <= 100'000; ++i)
         outline.curves.push_back(scene::line_to({i * 0.02, 50 * std::sin(i * 0.001)}));
-    Figure figure = filled(Drawing{{outline}});
-    art::merge_curves(figure, tolerance);
-    CHECK(curves_of(figure) < 300);
+    Shape shape = filled(Drawing{{outline}});
+    art::merge_curves(shape, tolerance);
+    CHECK(curves_of(shape) < 300);
     Outline noise{{0, 0}, {}, false};
     RandomArt random{1};
     for (int i = 1; i <= 100'000; ++i)
         noise.curves.push_back(scene::line_to({i * 0.02, random.number(0, 0.008)}));
-    Figure flat = filled(Drawing{{noise}});
+    Shape flat = filled(Drawing{{noise}});
     art::merge_curves(flat, tolerance);
     CHECK(curves_of(flat) < 50'000);
 }

@@ -7,17 +7,17 @@ namespace kfast::test {
 
 using art::Channel;
 using art::Document;
-using art::Figure;
 using art::Node;
+using art::Shape;
 
 TEST_CASE("everything that is a length is scaled, and nothing else")
 {
-    Figure figure;
-    figure.drawing = art::Drawing{{scene::ellipse({10, 20}, 5, 6)}};
-    figure.line.emplace().width = Channel{{{0, 2, {}}, {9, 3, {}}}};
-    figure.line->opacity = 0.5;
+    Shape shape;
+    shape.drawing = art::Drawing{{scene::ellipse({10, 20}, 5, 6)}};
+    shape.stroke.emplace().width = Channel{{{0, 2, {}}, {9, 3, {}}}};
+    shape.stroke->opacity = 0.5;
     Node leaf;
-    leaf.content = figure;
+    leaf.content = shape;
     leaf.transform.path = {{{scene::Outline{{1, 2}, {scene::line_to({3, 4})}, false}}}, 0.25};
     leaf.opacity = 0.75;
     Node node;
@@ -55,14 +55,14 @@ TEST_CASE("everything that is a length is scaled, and nothing else")
     CHECK(inner.opacity.value() == 0.75);
     CHECK(inner.transform.path->path.outlines[0].curves[0].to.x == 6);
     CHECK(inner.transform.path->share.value() == 0.25);
-    const auto& drawn = std::get<Figure>(inner.content);
+    const auto& drawn = std::get<Shape>(inner.content);
     CHECK(drawn.drawing.value() == art::Drawing{{scene::ellipse({20, 40}, 10, 12)}});
-    CHECK(drawn.line->width.keys[1].value == 6);
-    CHECK(drawn.line->opacity.value() == 0.5);
+    CHECK(drawn.stroke->width.keys[1].value == 6);
+    CHECK(drawn.stroke->opacity.value() == 0.5);
     const art::Bone& bone = document.rigs[0].bones[0];
     CHECK(bone.from.x == 2);
     CHECK(bone.to.y == 6);
-    CHECK(bone.turn.value() == 45);
+    CHECK(bone.rotation.value() == 45);
     CHECK(bone.x.value() == 2);
     CHECK(bone.y.value() == 4);
     CHECK(bone.length->value() == 8);

@@ -15,8 +15,8 @@ namespace {
 using art::Animated;
 using art::Document;
 using art::Drawing;
-using art::Figure;
 using art::Key;
+using art::Shape;
 using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
@@ -43,11 +43,11 @@ std::vector<Vec2> tips(const scene::Outline& outline, double half_width)
 TEST_CASE("keys of drawings that are nearly equal are equal afterwards")
 {
     const auto at = [](double x) { return Drawing{{scene::ellipse({x, 5}, 4, 4)}}; };
-    Figure figure = filled(Animated<Drawing>{
+    Shape shape = filled(Animated<Drawing>{
         {{0, at(0), {}}, {5, at(20), {}}, {9, at(20.001), {}}, {12, at(20.0005), {}}, {20, at(0.001), {}}}});
-    Document document = document_of(node_of(figure));
+    Document document = document_of(node_of(shape));
     art::simplify(document, tolerance);
-    const auto& keys = std::get<Figure>(document.nodes[0].content).drawing.keys;
+    const auto& keys = std::get<Shape>(document.nodes[0].content).drawing.keys;
     REQUIRE(keys.size() == 4);
     CHECK(keys[1].value == keys[2].value);
     CHECK(keys[0].value == keys[3].value);
@@ -59,15 +59,15 @@ TEST_CASE("a wide line with miters lets its drawing move less")
         return Drawing{{scene::polyline(std::vector<Vec2>{{0, 0}, {x, y}, {0, 9}}, true)}};
     };
     const Animated<Drawing> drawing{{{0, at(20, 4), {}}, {5, at(30, 4.005), {}}, {10, at(40, 4), {}}}};
-    Figure line;
-    line.drawing = drawing;
-    line.line.emplace().width = 12;
+    Shape stroke;
+    stroke.drawing = drawing;
+    stroke.stroke.emplace().width = 12;
     Document filled_only = document_of(node_of(filled(drawing)));
-    Document lined = document_of(node_of(line));
+    Document lined = document_of(node_of(stroke));
     art::simplify(filled_only, tolerance);
     art::simplify(lined, tolerance);
-    CHECK(std::get<Figure>(filled_only.nodes[0].content).drawing.keys.size() == 2);
-    CHECK(std::get<Figure>(lined.nodes[0].content).drawing.keys.size() == 3);
+    CHECK(std::get<Shape>(filled_only.nodes[0].content).drawing.keys.size() == 2);
+    CHECK(std::get<Shape>(lined.nodes[0].content).drawing.keys.size() == 3);
 }
 
 TEST_CASE("a line that grows out of a point loses keys, for it keeps its direction")
@@ -76,12 +76,12 @@ TEST_CASE("a line that grows out of a point loses keys, for it keeps its directi
     for (int i = 0; i <= 20; ++i)
         keys.push_back(
             {2.0 * i, {{scene::polyline(std::vector<Vec2>{{5, 5}, {5 + 3.0 * i, 5 + 2.0 * i}}, false)}}, {}});
-    Figure figure;
-    figure.drawing = Animated<Drawing>{keys};
-    figure.line.emplace().width = 9;
-    Document document = document_of(node_of(figure));
+    Shape shape;
+    shape.drawing = Animated<Drawing>{keys};
+    shape.stroke.emplace().width = 9;
+    Document document = document_of(node_of(shape));
     art::simplify(document, tolerance);
-    CHECK(std::get<Figure>(document.nodes[0].content).drawing.keys.size() == 2);
+    CHECK(std::get<Shape>(document.nodes[0].content).drawing.keys.size() == 2);
 }
 
 TEST_CASE("the tips of a line's corners move by no more than the tolerance")
@@ -101,17 +101,17 @@ TEST_CASE("the tips of a line's corners move by no more than the tolerance")
                 spots.push_back(corner + i * (0.01 * corner.x * speed) + random.spot(noise));
             keys.push_back({1.0 * i, {{scene::polyline(spots, true)}}, {}});
         }
-        Figure figure;
-        figure.drawing = Animated<Drawing>{keys};
-        figure.line.emplace().width = random.number(1, 20);
-        Document simple = document_of(node_of(figure));
+        Shape shape;
+        shape.drawing = Animated<Drawing>{keys};
+        shape.stroke.emplace().width = random.number(1, 20);
+        Document simple = document_of(node_of(shape));
         art::simplify(simple, tolerance);
-        const auto& after = std::get<Figure>(simple.nodes[0].content).drawing;
+        const auto& after = std::get<Shape>(simple.nodes[0].content).drawing;
         kept += after.keys.size();
         for (int i = 0; i < 60; ++i) {
             const double time = random.number(0, 30);
-            const double half_width = figure.line->width.value() / 2;
-            const auto before = tips(figure.drawing.at(time).outlines[0], half_width);
+            const double half_width = shape.stroke->width.value() / 2;
+            const auto before = tips(shape.drawing.at(time).outlines[0], half_width);
             const auto now = tips(after.at(time).outlines[0], half_width);
             for (std::size_t corner = 0; corner < 4; ++corner)
                 max = std::max(max, distance(before[corner], now[corner]));
@@ -124,18 +124,18 @@ TEST_CASE("the tips of a line's corners move by no more than the tolerance")
 
 TEST_CASE("between changes of form, keys and segments go")
 {
-    const auto line = [](std::vector<Vec2> spots) { return Drawing{{scene::polyline(spots, false)}}; };
+    const auto stroke = [](std::vector<Vec2> spots) { return Drawing{{scene::polyline(spots, false)}}; };
     const art::Ease hold{art::EaseKind::hold};
-    const Animated<Drawing> drawing{{{0, line({{0, 0}, {10, 0}, {20, 0}}), {}},
-                                     {5, line({{0, 0}, {10, 5}, {20, 10}}), {}},
-                                     {10, line({{0, 0}, {10, 10}, {20, 20}}), hold},
-                                     {12, line({{0, 0}, {20, 20}}), {}},
-                                     {14, line({{0, 0}, {20, 20}}), {}},
-                                     {16, line({{0, 0}, {20, 20}}), {}},
-                                     {20, line({{0, 0}, {5, 20}, {30, 0}}), {}}}};
+    const Animated<Drawing> drawing{{{0, stroke({{0, 0}, {10, 0}, {20, 0}}), {}},
+                                     {5, stroke({{0, 0}, {10, 5}, {20, 10}}), {}},
+                                     {10, stroke({{0, 0}, {10, 10}, {20, 20}}), hold},
+                                     {12, stroke({{0, 0}, {20, 20}}), {}},
+                                     {14, stroke({{0, 0}, {20, 20}}), {}},
+                                     {16, stroke({{0, 0}, {20, 20}}), {}},
+                                     {20, stroke({{0, 0}, {5, 20}, {30, 0}}), {}}}};
     Document document = document_of(node_of(filled(drawing)));
     art::simplify(document, tolerance);
-    const auto& keys = std::get<Figure>(document.nodes[0].content).drawing.keys;
+    const auto& keys = std::get<Shape>(document.nodes[0].content).drawing.keys;
     REQUIRE(keys.size() == 5);
     CHECK(keys[0].value.outlines[0].curves.size() == 1);
     CHECK(keys[1].time == 10);

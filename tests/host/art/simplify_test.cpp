@@ -15,10 +15,10 @@ namespace {
 using art::Channel;
 using art::Document;
 using art::Drawing;
-using art::Figure;
 using art::Group;
 using art::Key;
 using art::Node;
+using art::Shape;
 using scene::Vec2;
 
 constexpr double tolerance = 1.0 / 32;
@@ -34,7 +34,7 @@ std::size_t count_keys(const std::vector<Node>& nodes)
         if (const auto* group = std::get_if<Group>(&node.content))
             count += count_keys(group->nodes);
         else
-            count += std::get<Figure>(node.content).drawing.keys.size();
+            count += std::get<Shape>(node.content).drawing.keys.size();
     }
     return count;
 }
@@ -113,7 +113,7 @@ TEST_CASE("what a group enlarges is simplified less")
         Document document = document_of(std::move(group));
         art::simplify(document, tolerance);
         const Node& inner = std::get<Group>(document.nodes[0].content).nodes[0];
-        const auto& curves = std::get<Figure>(inner.content).drawing.value().outlines[0].curves;
+        const auto& curves = std::get<Shape>(inner.content).drawing.value().outlines[0].curves;
         CHECK(curves.size() == (factor > 1 ? 3 : 2));
     }
 }
@@ -185,20 +185,20 @@ TEST_CASE("what is never seen is taken out")
     hidden.shown.clear();
     Node clear = node_of(filled(square));
     clear.opacity = 0;
-    Node inkless = node_of(Figure{});
+    Node inkless = node_of(Shape{});
     Node empty;
     empty.content = Group{{hidden, clear, inkless}};
-    Figure dot;
+    Shape dot;
     dot.drawing = point;
-    dot.line.emplace().cap = Cap::round;
-    Figure no_dot = dot;
-    no_dot.line->cap = Cap::butt;
+    dot.stroke.emplace().cap = Cap::round;
+    Shape no_dot = dot;
+    no_dot.stroke->cap = Cap::butt;
     for (const Node& node :
          {hidden, clear, inkless, empty, node_of(filled(point)), node_of(dot), node_of(no_dot)})
         document.nodes.push_back(node);
     art::simplify(document, tolerance);
     REQUIRE(document.nodes.size() == 2);
-    CHECK(std::get<Figure>(document.nodes[1].content).line.has_value());
+    CHECK(std::get<Shape>(document.nodes[1].content).stroke.has_value());
 }
 
 TEST_CASE("without a tolerance only what is of no use goes")

@@ -47,18 +47,18 @@ TEST_CASE("a point in no cell goes with the nearest that reaches as far")
     check(on_band({38, 20}), 2.8, 1);
     check(on_band({20, 60}), 1, -3);
     CHECK(on_band({20, 60}).distance == doctest::Approx(20));
-    CHECK(on_band({20, 60}).is_carried);
+    CHECK(on_band({20, 60}).is_deformed);
 }
 
 TEST_CASE("beyond a segment's length, or eight widths, a point is moved to the nearest cell")
 {
     const RelativePoint before = on_band({-5, 30});
     check(before, 0, 0);
-    CHECK(!before.is_carried);
+    CHECK(!before.is_deformed);
     CHECK(before.distance == doctest::Approx(15));
     const RelativePoint beside = on_band({20, 130});
     CHECK(beside.across == doctest::Approx(-1));
-    CHECK(!beside.is_carried);
+    CHECK(!beside.is_deformed);
 }
 
 TEST_CASE("outside of a corner the segments meet on the line of their mitre")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/compiler/carry/carried_ways.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstdint>
@@ -37,7 +37,7 @@ inline scene::BackboneKey skeleton(int frame, std::vector<scene::Backbone> backb
     return {.time = Time::frame(frame), .laws = {}, .backbones = std::move(backbones), .place = {}};
 }
 
-inline scene::Object carried(scene::Object object, std::vector<scene::BackboneKey> keys)
+inline scene::Object deformed(scene::Object object, std::vector<scene::BackboneKey> keys)
 {
     object.backbone_keys = std::move(keys);
     return object;

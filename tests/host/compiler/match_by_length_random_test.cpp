@@ -100,7 +100,7 @@ void check_nothing_added(const Yield& yield, const scene::Drawing& drawing)
         REQUIRE(segments.size() == own.size());
         for (std::size_t segment = 0; segment < own.size(); ++segment) {
             Pair<Segment> both{own[segment], segments[segment]};
-            make_alike(both); // a line beside a curve
+            make_same_kind(both); // a line beside a curve
             CHECK(both.a == segments[segment]);
         }
     }
@@ -120,7 +120,7 @@ std::vector<Vec2> traced(const scene::Stroke& stroke, std::uint32_t pieces)
     for (const Segment& segment : segments_of({{stroke}}))
         for (std::uint32_t piece = 1; piece <= pieces; ++piece)
             if (segment.kind == Segment::Kind::cubic || piece == pieces)
-                spots.push_back(in_pixels(point_at(segment, Share::ratio(piece, pieces))));
+                spots.push_back(in_pixels(point_at(segment, Fraction::ratio(piece, pieces))));
     return spots;
 }
 

@@ -31,7 +31,7 @@ scene::Stroke circle(double x, double y, double radius)
 }
 
 /// The strokes on the way, as the player has them: their vertices and the points of curves between them.
-std::vector<std::vector<Vec2>> live(const MatchedDrawings& drawings, Way way)
+std::vector<std::vector<Vec2>> live(const MatchedDrawings& drawings, Progress progress)
 {
     std::vector<std::vector<Vec2>> strokes;
     EqualizedPair pair{ModelReader{drawings.from}, ModelReader{drawings.to}};
@@ -39,9 +39,9 @@ std::vector<std::vector<Vec2>> live(const MatchedDrawings& drawings, Way way)
         std::vector<Vec2> spots;
         for (std::uint32_t i = 0; i < segments; ++i) {
             const Pair<Segment> both = pair.next_segment();
-            const Segment segment = tween(both.a, both.b, way, way);
+            const Segment segment = tween(both.a, both.b, progress, progress);
             for (std::uint32_t piece = 0; piece < 16; ++piece)
-                spots.push_back(in_pixels(point_at(segment, Share::ratio(piece, 16))));
+                spots.push_back(in_pixels(point_at(segment, Fraction::ratio(piece, 16))));
             if (i + 1 == segments)
                 spots.push_back(in_pixels(segment.to));
         }
@@ -50,7 +50,7 @@ std::vector<std::vector<Vec2>> live(const MatchedDrawings& drawings, Way way)
     return strokes;
 }
 
-constexpr Way half{Way::one / 2};
+constexpr Progress half{Progress::one / 2};
 
 /// What a closed stroke goes around; positive if clockwise.
 double area(const std::vector<Vec2>& spots)

@@ -2,7 +2,7 @@
 
 #include "core/scene/label_view.hpp"
 #include "host/compiler/carry/backbone_timeline.hpp"
-#include "host/compiler/carry/carrier.hpp"
+#include "host/compiler/carry/deformer.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
 #include "host/compiler/match/match_by_length.hpp"
 #include "host/compiler/write/key_writer.hpp"
@@ -63,11 +63,11 @@ private:
     void compare_drawn(const ObjectView& read, const scene::Object& object)
     {
         compare_style(read.style, object);
-        REQUIRE(read.carrier == carrier_of(object));
+        REQUIRE(read.deformer == deformer_of(object));
         REQUIRE(read.has_depths == object.has_depths);
         if (object.skin)
             CHECK(read.skeleton == object.skin->bones);
-        if (read.carrier == Carrier::backbones)
+        if (read.deformer == Deformer::backbones)
             compare_backbones(read, object);
         else
             compare_keys(read, object);
@@ -145,7 +145,7 @@ private:
     static void compare_binding(const Binding& read, const scene::Binding& binding)
     {
         scene::Binding shares;
-        read.each([&shares](BoneShare share) { shares.push_back({share.bone, share.weight}); });
+        read.each([&shares](BoneInfluence share) { shares.push_back({share.bone, share.weight}); });
         CHECK(shares == binding);
     }
 
@@ -162,23 +162,23 @@ private:
             CHECK(unpacked(view_.drawing(stored.drawing)) == drawing_of(key.backbones));
         }
         CHECK(backbones.at_end());
-        compare_carried_keys(read, object);
+        compare_deformed_keys(read, object);
     }
 
-    void compare_carried_keys(const ObjectView& read, const scene::Object& object)
+    void compare_deformed_keys(const ObjectView& read, const scene::Object& object)
     {
         Diagnostics diagnostics;
-        const KeyWays carried = key_ways(object, diagnostics);
-        CHECK(read.backbones.unit_bits == carried.unit_bits);
+        const KeyTweens deformed = key_tweens(object, diagnostics);
+        CHECK(read.backbones.unit_bits == deformed.unit_bits);
         KeyCursor keys = read.keys();
-        for (const KeyWay& way : carried.ways) {
+        for (const KeyTween& tween : deformed.tweens) {
             REQUIRE(!keys.at_end());
             const Key key = keys.next();
-            CHECK(key.time == way.time);
-            compare_laws(view_, key.laws, way.laws, keys.at_end());
-            CHECK(unpacked(view_.drawing(key.drawing)) == way.ends.from);
+            CHECK(key.time == tween.time);
+            compare_laws(view_, key.laws, tween.laws, keys.at_end());
+            CHECK(unpacked(view_.drawing(key.drawing)) == tween.ends.from);
             if (read.has_arrivals)
-                CHECK(unpacked(view_.drawing(key.arrival)) == way.ends.to);
+                CHECK(unpacked(view_.drawing(key.arrival)) == tween.ends.to);
         }
         CHECK(keys.at_end());
     }

@@ -28,7 +28,7 @@ std::string comb(int teeth, int top, int bottom)
 }
 
 /// Whether a player of this shape draws the picture at `moment` as finely as it wants to.
-bool finds_room(const std::vector<std::byte>& bytes, Size panel, Time moment)
+bool fits(const std::vector<std::byte>& bytes, Size panel, Time moment)
 {
     const SceneView scene = *SceneView::parse(bytes);
     std::vector<std::uint32_t> block((Player::block_bytes(scene, panel) + 3) / 4);
@@ -62,7 +62,7 @@ TEST_CASE("a drawing that one frame of a long scene shows has room")
         compiled(scene_with("object z fill=red { key 0 law=hold { rect 0 0 9 9 }; key 11 law=hold { " +
                                 comb(200, 9, 99) + " }; key 12 { rect 0 0 9 9 } }",
                             "20000"));
-    CHECK(finds_room(by_keys, {240, 240}, Time::frame(11)));
+    CHECK(fits(by_keys, {240, 240}, Time::frame(11)));
     for (const std::string hidden : {"visible=#false", "opacity=0"}) {
         CAPTURE(hidden);
         const std::string seen = hidden == "opacity=0" ? "opacity=1" : "visible=#true";
@@ -70,7 +70,7 @@ TEST_CASE("a drawing that one frame of a long scene shows has room")
             compiled(scene_with("object z fill=red { " + comb(200, 9, 99) + "; key 0 law=hold " + hidden +
                                     "; key 11 law=hold " + seen + "; key 12 " + hidden + " }",
                                 "20000"));
-        CHECK(finds_room(by_track, {240, 240}, Time::frame(11)));
+        CHECK(fits(by_track, {240, 240}, Time::frame(11)));
     }
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("what lies above and below of the canvas has room on panels of all sha
     for (const auto& [top, bottom] : {std::pair{-50, -10}, std::pair{250, 290}}) {
         const auto bytes = compiled(scene_with("object z fill=red { " + comb(400, top, bottom) + " }"));
         for (const Size panel : {Size{240, 240}, Size{120, 240}, Size{60, 240}, Size{240, 480}})
-            CHECK(finds_room(bytes, panel, {}));
+            CHECK(fits(bytes, panel, {}));
     }
 }
 
@@ -254,7 +254,7 @@ TEST_CASE("wires find room at any time, whatever the camera")
                      "track rotate-y { at 0 0; at 30 " + any(0, 1000) +
                      " }\ntrack rotate-x { at 0 0; at 30 " + any(0, 1000) + " }\n}");
         for (int i = 0; i < 60; ++i)
-            CHECK(finds_room(bytes, {240, 240}, Time{static_cast<std::int32_t>(random() % (30 * 1024))}));
+            CHECK(fits(bytes, {240, 240}, Time{static_cast<std::int32_t>(random() % (30 * 1024))}));
     }
 }
 

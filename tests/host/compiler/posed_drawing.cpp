@@ -20,9 +20,9 @@ Fixed fixed(double pixels)
 }
 
 /// Moves the points of a drawing, in their order.
-class Carrier {
+class Deformer {
 public:
-    Carrier(const std::vector<scene::Binding>& bindings, const std::vector<scene::BoneMotion>& motions)
+    Deformer(const std::vector<scene::Binding>& bindings, const std::vector<scene::BoneMotion>& motions)
         : next_{bindings.data()}, motions_{motions}
     {
     }
@@ -45,15 +45,15 @@ private:
     const std::vector<scene::BoneMotion>& motions_;
 };
 
-Segment carried(const scene::Segment& own, const scene::Segment& rest, Point from, Carrier& carrier)
+Segment deformed(const scene::Segment& own, const scene::Segment& rest, Point from, Deformer& deformer)
 {
     Segment segment{.kind = own.cubic ? Segment::Kind::cubic : Segment::Kind::line, .from = from};
     if (own.cubic)
-        segment.c1 = carrier(own.c1, rest.c1);
-    carrier.next_vertex();
+        segment.c1 = deformer(own.c1, rest.c1);
+    deformer.next_vertex();
     if (own.cubic)
-        segment.c2 = carrier(own.c2, rest.c2);
-    segment.to = carrier(own.to, rest.to);
+        segment.c2 = deformer(own.c2, rest.c2);
+    segment.to = deformer(own.to, rest.to);
     return segment;
 }
 
@@ -61,16 +61,16 @@ Segment carried(const scene::Segment& own, const scene::Segment& rest, Point fro
 
 PosedDrawing::PosedDrawing(const SkinnedDrawing& skinned, const std::vector<scene::BoneMotion>& motions)
 {
-    Carrier carrier{skinned.bindings, motions};
+    Deformer deformer{skinned.bindings, motions};
     for (std::size_t i = 0; i < skinned.drawing.strokes.size(); ++i) {
         const scene::Stroke& own = skinned.drawing.strokes[i];
         const scene::Stroke& rest = skinned.rest().strokes[i];
         Stroke& stroke = strokes_.emplace_back();
-        carrier.next_vertex();
-        stroke.start = carrier(own.from, rest.from);
+        deformer.next_vertex();
+        stroke.start = deformer(own.from, rest.from);
         Point at = stroke.start;
         for (std::size_t segment = 0; segment < own.segments.size(); ++segment) {
-            stroke.segments.push_back(carried(own.segments[segment], rest.segments[segment], at, carrier));
+            stroke.segments.push_back(deformed(own.segments[segment], rest.segments[segment], at, deformer));
             at = stroke.segments.back().to;
         }
     }

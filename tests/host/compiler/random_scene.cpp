@@ -104,7 +104,7 @@ scene::Scene random_scene(std::mt19937& random)
     return SceneMaker{dice}.scene();
 }
 
-scene::Scene random_carried_scene(std::mt19937& random)
+scene::Scene random_deformed_scene(std::mt19937& random)
 {
     Dice dice{random};
     scene::Scene scene;

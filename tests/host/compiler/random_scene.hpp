@@ -11,6 +11,6 @@ scene::Scene random_scene(std::mt19937& random);
 
 /// A scene of one object, whose drawings have curves and no more than 60 px, and of the skeleton that carries
 /// it; bones turn and stretch by anything, with even or softened speed.
-scene::Scene random_carried_scene(std::mt19937& random);
+scene::Scene random_deformed_scene(std::mt19937& random);
 
 }

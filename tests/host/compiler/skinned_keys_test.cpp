@@ -1,4 +1,4 @@
-#include "core/pose/carried_drawing.hpp"
+#include "core/pose/deformed_drawing.hpp"
 #include "core/time/key_interval.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 #include "tests/core/moved_scene.hpp"
@@ -27,7 +27,7 @@ public:
     struct Moment {
         Key from;
         Key to;
-        Progress way;
+        ProgressXY progress;
     };
 
     Moment at(Time time)
@@ -37,7 +37,7 @@ public:
         return {from, to, progress_between(from.time, to.time, time, scene_.laws(from.laws))};
     }
 
-    CarriedDrawing drawing(const Key& key) const
+    DeformedDrawing drawing(const Key& key) const
     {
         const SkinReader skin = scene_.skin(key.more);
         const PackedDrawing drawing = scene_.drawing(key.drawing);
@@ -59,7 +59,7 @@ double distance(Point a, Point b)
     return std::max(std::abs(pixels(a.x - b.x)), std::abs(pixels(a.y - b.y)));
 }
 
-double worst_difference(CarriedDrawing played, const PosedDrawing& posed)
+double worst_difference(DeformedDrawing played, const PosedDrawing& posed)
 {
     double worst = 0;
     for (const PosedDrawing::Stroke& stroke : posed.strokes()) {
@@ -92,7 +92,7 @@ TEST_CASE("the player carries points to where the compiler foresees them")
 {
     std::mt19937 random{41};
     for (int round = 0; round < 200; ++round) {
-        const scene::Scene scene = random_carried_scene(random);
+        const scene::Scene scene = random_deformed_scene(random);
         const std::vector<std::byte> bytes = written(scene);
         const auto view = SceneView::parse(bytes);
         REQUIRE(view);
@@ -102,7 +102,7 @@ TEST_CASE("the player carries points to where the compiler foresees them")
             skinned_drawing(object.keys[0].drawing, object.skin->bindings, object.keys[0].drawing);
         for (int moment = 0; moment < 20; ++moment) {
             const Time time = some_time(random);
-            const auto [from, to, way] = played.at(time);
+            const auto [from, to, progress] = played.at(time);
             if (from.time == object.keys[0].time)
                 CHECK(worst_difference(played.drawing(from),
                                        PosedDrawing{*first, motions_at(scene.bones[0], time)}) < 1.0 / 32);

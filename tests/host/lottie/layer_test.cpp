@@ -25,7 +25,7 @@ TEST_CASE("a solid without a colour is black, and reported")
         animation_text(R"({"ty": 1, "nm": "wall", "sw": 9, "sh": 9, "sc": "", "ip": 0, "op": 60})"), losses);
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].feature == "solid of the colour \"\"");
-    CHECK(figure_of(group_of(document.nodes.at(0)).nodes.at(0)).fill->colour.value() == art::Rgb{});
+    CHECK(shape_of(group_of(document.nodes.at(0)).nodes.at(0)).fill->colour.value() == art::Rgb{});
 }
 
 TEST_CASE("the canvas, the rate and the length are those of the file")
@@ -67,9 +67,9 @@ TEST_CASE("a solid is a rectangle of its colour")
     CHECK(node.opacity.value() == 0.5);
     CHECK(node.transform.x.value() == 7);
     CHECK(node.transform.y.value() == 8);
-    const art::Figure& figure = figure_of(group_of(node).nodes.at(0));
-    CHECK(figure.fill->colour.value() == art::Rgb{1, 128 / 255.0, 0});
-    const scene::Outline& outline = figure.drawing.value().outlines.at(0);
+    const art::Shape& shape = shape_of(group_of(node).nodes.at(0));
+    CHECK(shape.fill->colour.value() == art::Rgb{1, 128 / 255.0, 0});
+    const scene::Outline& outline = shape.drawing.value().outlines.at(0);
     CHECK(outline.curves.size() == 3);
     CHECK(outline.curves[1].to.x == 20);
     CHECK(outline.curves[1].to.y == 10);

@@ -49,10 +49,10 @@ const art::Group& group_of(const art::Node& node)
     return std::get<art::Group>(node.content);
 }
 
-const art::Figure& figure_of(const art::Node& node)
+const art::Shape& shape_of(const art::Node& node)
 {
-    REQUIRE(std::holds_alternative<art::Figure>(node.content));
-    return std::get<art::Figure>(node.content);
+    REQUIRE(std::holds_alternative<art::Shape>(node.content));
+    return std::get<art::Shape>(node.content);
 }
 
 }

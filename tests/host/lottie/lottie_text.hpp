@@ -22,6 +22,6 @@ std::string failure_of(const std::string& text);
 std::string solid(const std::string& more, const char* name = "box");
 
 const art::Group& group_of(const art::Node& node);
-const art::Figure& figure_of(const art::Node& node);
+const art::Shape& shape_of(const art::Node& node);
 
 }

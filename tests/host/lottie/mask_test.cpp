@@ -43,9 +43,9 @@ std::size_t drawn(const std::string& masks)
     return document.nodes.empty() ? 0 : group_of(document.nodes[0]).nodes.size();
 }
 
-art::Figure cut(const std::string& masks)
+art::Shape cut(const std::string& masks)
 {
-    return figure_of(group_of(read_whole(animation_text(masked(masks))).nodes.at(0)).nodes.at(0));
+    return shape_of(group_of(read_whole(animation_text(masked(masks))).nodes.at(0)).nodes.at(0));
 }
 
 /// Left, top, right and bottom of its points, rounded.
@@ -70,7 +70,7 @@ art::Animated<art::Drawing> moving_behind(const std::string& path, const std::st
         R"(]}, {"t": 40, "s": [)" + to + R"(]}]}}, {"ty": "fl", "c": {"k": [1, 0, 0]}}])";
     const art::Document document = read_whole(animation_text(
         R"({"ty": 4, "ip": 0, "op": 60, "masksProperties": [)" + mask(path) + "], " + shapes + "}"));
-    return figure_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
+    return shape_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
 }
 
 bool is_lost(const std::string& text, const char* feature)
@@ -100,11 +100,11 @@ TEST_CASE("a mask around all that is drawn changes nothing, one beside it hides 
 
 TEST_CASE("a solid takes the shape of a mask within it")
 {
-    const art::Figure shaped = cut(mask(inside, R"("o": {"k": 40}, )"));
+    const art::Shape shaped = cut(mask(inside, R"("o": {"k": 40}, )"));
     REQUIRE(shaped.drawing.value().outlines.size() == 1);
     CHECK(shaped.drawing.value().outlines[0].from.x == 5);
     CHECK(shaped.fill->opacity.value() == 0.4);
-    const art::Figure pierced = cut(mask(inside, R"("inv": true, )"));
+    const art::Shape pierced = cut(mask(inside, R"("inv": true, )"));
     CHECK(pierced.drawing.value().outlines.size() == 2);
     CHECK(pierced.fill->rule == FillRule::even_odd);
     CHECK(cut(mask(inside, "", "s")).drawing.value().outlines.size() == 2);
@@ -114,7 +114,7 @@ TEST_CASE("a solid takes the shape of a mask within it")
 
 TEST_CASE("what is filled is cut to a convex mask, and a box to any")
 {
-    const art::Figure corner = cut(mask(rectangle(5, 5, 40, 40)));
+    const art::Shape corner = cut(mask(rectangle(5, 5, 40, 40)));
     CHECK(corner.drawing.is_still());
     CHECK(extent(corner.drawing.value()) == "5 5 20 10");
     CHECK(extent(cut(mask(inside, "", "i")).drawing.value()) == "5 2 15 8");
@@ -157,7 +157,7 @@ TEST_CASE("where too much moves behind a mask, nothing that moves is cut")
     REQUIRE(losses.list().size() == 1);
     CHECK(losses.list()[0].instead == "what reaches beyond it is seen");
     for (const art::Node& node : group_of(document.nodes.at(0)).nodes)
-        CHECK(figure_of(node).drawing.keys.size() == 2);
+        CHECK(shape_of(node).drawing.keys.size() == 2);
 }
 
 TEST_CASE("other masks are reported")
@@ -189,7 +189,7 @@ TEST_CASE("a matte that covers the layer changes nothing, its opposite hides it,
     const std::string small =
         R"({"ty": 1, "td": 1, "nm": "matte", "sw": 10, "sh": 70, "sc": "#ffffff", "ip": 0, "op": 60})";
     const art::Document cut_by_small = read_whole(with("1", small));
-    CHECK(extent(figure_of(group_of(cut_by_small.nodes.at(0)).nodes.at(0)).drawing.value()) == "0 0 10 10");
+    CHECK(extent(shape_of(group_of(cut_by_small.nodes.at(0)).nodes.at(0)).drawing.value()) == "0 0 10 10");
     CHECK(is_lost(with("2", small), "matte"));
     const std::string brief =
         R"({"ty": 1, "td": 1, "nm": "matte", "sw": 90, "sh": 70, "sc": "#ffffff", "ip": 0, "op": 30})";
@@ -205,7 +205,7 @@ TEST_CASE("a matte cuts where it and the layer have moved to")
         "ip": 0, "op": 60, "ks": {"p": {"a": 1, "k": [{"t": 0, "s": [0, 0]}, {"t": 40, "s": [40, 0]}]}}},)";
     const art::Document document =
         read_whole(animation_text(matte + solid(R"("tt": 1, "ks": {"p": {"k": [5, 0]}}, )")));
-    const auto& drawing = figure_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
+    const auto& drawing = shape_of(group_of(document.nodes.at(0)).nodes.at(0)).drawing;
     CHECK(extent(drawing.at(0)) == "0 0 5 10");
     CHECK(extent(drawing.at(10)) == "5 0 15 10");
     CHECK(drawing.at(30).outlines.empty());

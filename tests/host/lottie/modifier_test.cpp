@@ -14,7 +14,7 @@ art::Drawing drawing_at(const std::string& items, double time)
 {
     const ReadShapes read = read_shapes(items);
     REQUIRE(read.nodes.size() == 1);
-    return figure(read.nodes[0]).drawing.at(time);
+    return shape(read.nodes[0]).drawing.at(time);
 }
 
 std::string trim(const std::string& members) { return R"(, {"ty": "tm", )" + members + "}, "; }
@@ -65,7 +65,7 @@ TEST_CASE("a trim that moves is right at all times, and draws nothing where noth
 {
     const ReadShapes read =
         read_shapes(circle + trim(R"("s": {"k": 0}, "e": )" + even("[0]", "[100]")) + stroke);
-    const auto& drawing = figure(read.nodes.at(0)).drawing;
+    const auto& drawing = shape(read.nodes.at(0)).drawing;
     CHECK(drawing.at(0).outlines.empty());
     for (const double time : {0.7, 2.3, 4.9, 5.1, 7.77, 9.9})
         CHECK(length(drawing.at(time)) == doctest::Approx(around * time / 10).epsilon(0.003));
@@ -88,7 +88,7 @@ TEST_CASE("a trim behind a style and a group changes the paths before it")
 {
     const std::string group = R"({"ty": "gr", "it": [)" + line + ',' + stroke + R"(, {"ty": "tr"}]})";
     const ReadShapes read = read_shapes(group + R"(, {"ty": "tm", "e": {"k": 50}})");
-    CHECK(length(figure(read.nodes.at(0)).drawing.value()) == doctest::Approx(50));
+    CHECK(length(shape(read.nodes.at(0)).drawing.value()) == doctest::Approx(50));
 }
 
 TEST_CASE("corners without tangents are rounded, but not the ends of a path")
@@ -124,7 +124,7 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
     REQUIRE(few.outlines.size() == 3);
     CHECK(few.outlines[1].from.x == doctest::Approx(40));
     const ReadShapes many = read_shapes(line + ',' + dots + "0.01}}]}");
-    CHECK(figure(many.nodes[0]).drawing.value().outlines.size() == 1);
+    CHECK(shape(many.nodes[0]).drawing.value().outlines.size() == 1);
     REQUIRE(many.losses.list().size() == 1);
     CHECK(many.losses.list()[0].feature == "too many dashes");
 }
@@ -135,8 +135,8 @@ TEST_CASE("too many dashes to move stand still")
         line +
         R"(, {"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 0.25}}, {"n": "o", "v": )" +
         even("[0]", "[9]") + "}]}");
-    CHECK(figure(read.nodes.at(0)).drawing.is_still());
-    CHECK(figure(read.nodes[0]).drawing.value().outlines.size() == 200);
+    CHECK(shape(read.nodes.at(0)).drawing.is_still());
+    CHECK(shape(read.nodes[0]).drawing.value().outlines.size() == 200);
     REQUIRE(read.losses.list().size() == 1);
     CHECK(read.losses.list()[0].feature == "more than 120 moving dashes");
 }
@@ -172,7 +172,7 @@ TEST_CASE("a style behind a repeater paints all copies as one")
     const ReadShapes read =
         read_shapes(square + R"(, {"ty": "rp", "c": {"k": 4}, "tr": {"p": {"k": [10, 0]}}}, )" + red);
     REQUIRE(read.nodes.size() == 1);
-    CHECK(figure(read.nodes[0]).drawing.value().outlines.size() == 4);
+    CHECK(shape(read.nodes[0]).drawing.value().outlines.size() == 4);
 }
 
 TEST_CASE("copies come and go with their number")

@@ -24,7 +24,7 @@ inline ReadShapes read_shapes(const std::string& items)
     return result;
 }
 
-inline const art::Figure& figure(const art::Node& node) { return std::get<art::Figure>(node.content); }
+inline const art::Shape& shape(const art::Node& node) { return std::get<art::Shape>(node.content); }
 inline const std::vector<art::Node>& inside(const art::Node& node)
 {
     return std::get<art::Group>(node.content).nodes;

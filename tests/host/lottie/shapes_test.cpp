@@ -27,9 +27,9 @@ TEST_CASE("a style paints all paths before it, as one, and nothing behind it")
 {
     const ReadShapes read = read_shapes(square + ',' + line + ',' + red + ',' + square);
     REQUIRE(read.nodes.size() == 1);
-    CHECK(figure(read.nodes[0]).drawing.value().outlines.size() == 2);
-    CHECK(figure(read.nodes[0]).fill->colour.value() == art::Rgb{1, 0, 0});
-    CHECK_FALSE(figure(read.nodes[0]).line);
+    CHECK(shape(read.nodes[0]).drawing.value().outlines.size() == 2);
+    CHECK(shape(read.nodes[0]).fill->colour.value() == art::Rgb{1, 0, 0});
+    CHECK_FALSE(shape(read.nodes[0]).stroke);
     CHECK(read.losses.empty());
 }
 
@@ -37,16 +37,16 @@ TEST_CASE("the first style of a list lies on top")
 {
     const ReadShapes read = read_shapes(square + ',' + red + ',' + blue);
     REQUIRE(read.nodes.size() == 2);
-    CHECK(figure(read.nodes[0]).fill->colour.value() == art::Rgb{0, 0, 1});
-    CHECK(figure(read.nodes[1]).fill->colour.value() == art::Rgb{1, 0, 0});
+    CHECK(shape(read.nodes[0]).fill->colour.value() == art::Rgb{0, 0, 1});
+    CHECK(shape(read.nodes[1]).fill->colour.value() == art::Rgb{1, 0, 0});
 }
 
 TEST_CASE("a stroke above a fill of the same paths is one figure with it")
 {
     const ReadShapes together = read_shapes(square + ',' + stroke + ',' + red);
     REQUIRE(together.nodes.size() == 1);
-    CHECK(figure(together.nodes[0]).fill);
-    CHECK(figure(together.nodes[0]).line->width.value() == 2);
+    CHECK(shape(together.nodes[0]).fill);
+    CHECK(shape(together.nodes[0]).stroke->width.value() == 2);
     CHECK(read_shapes(square + ',' + red + ',' + stroke).nodes.size() == 2);
     CHECK(read_shapes(square + ',' + stroke + ',' + line + ',' + red).nodes.size() == 2);
 }
@@ -60,7 +60,7 @@ TEST_CASE("a group of one figure is that figure, with the name and the transform
     CHECK(read.nodes[0].transform.x.value() == 5);
     CHECK(read.nodes[0].transform.rotate.value() == 30);
     CHECK(read.nodes[0].opacity.value() == 0.5);
-    CHECK(figure(read.nodes[0]).drawing.value().outlines[0].from.x == 6);
+    CHECK(shape(read.nodes[0]).drawing.value().outlines[0].from.x == 6);
 }
 
 TEST_CASE("a group of several figures is a group, and nothing is one without figures")
@@ -77,7 +77,7 @@ TEST_CASE("a still transform between a path and its style goes into the points")
         group(square, R"({"ty": "tr", "p": {"k": [100, 0]}, "s": {"k": [200, 100]}})") + ',' + red);
     REQUIRE(read.nodes.size() == 1);
     CHECK(read.nodes[0].transform == art::Transform{});
-    CHECK(figure(read.nodes[0]).drawing.value().outlines[0].from.x == 112);
+    CHECK(shape(read.nodes[0]).drawing.value().outlines[0].from.x == 112);
 }
 
 TEST_CASE("a figure whose paths all move with one group lies in it")
@@ -86,7 +86,7 @@ TEST_CASE("a figure whose paths all move with one group lies in it")
     const ReadShapes read = read_shapes(group(square, moving) + ',' + red);
     REQUIRE(read.nodes.size() == 1);
     CHECK(read.nodes[0].transform.x.at(5) == 25);
-    CHECK(figure(read.nodes[0]).drawing.is_still());
+    CHECK(shape(read.nodes[0]).drawing.is_still());
 }
 
 TEST_CASE("paths that move apart are baked; where all goes evenly, two keys do")
@@ -94,7 +94,7 @@ TEST_CASE("paths that move apart are baked; where all goes evenly, two keys do")
     const std::string moving = R"({"ty": "tr", "p": )" + even("[0, 0]", "[50, 0]") + '}';
     const ReadShapes read = read_shapes(group(square, moving) + ',' + line + ',' + red);
     REQUIRE(read.nodes.size() == 1);
-    const auto& drawing = figure(read.nodes[0]).drawing;
+    const auto& drawing = shape(read.nodes[0]).drawing;
     CHECK(drawing.keys.size() == 2);
     CHECK(drawing.at(10).outlines[0].from.x == 56);
     CHECK(drawing.at(10).outlines[1].from.x == 0);
@@ -105,7 +105,7 @@ TEST_CASE("a stroke does not lie in a group that grows: its width stays")
     const std::string growing = R"({"ty": "tr", "s": )" + even("[100, 100]", "[200, 200]") + '}';
     const ReadShapes read = read_shapes(group(square, growing) + ',' + stroke);
     CHECK(read.nodes[0].transform == art::Transform{});
-    CHECK(figure(read.nodes[0]).drawing.at(10).outlines[0].from.x == 12);
+    CHECK(shape(read.nodes[0]).drawing.at(10).outlines[0].from.x == 12);
 }
 
 TEST_CASE("what is hidden is left out")
@@ -120,7 +120,7 @@ TEST_CASE("an ease of a size is that of the drawing")
         R"({"a": 1, "k": [{"t": 0, "s": [10, 10], "o": {"x": [0.3], "y": [0]}, "i": {"x": [0.6], "y": [1]}},
                                                {"t": 20, "s": [30, 30]}]})";
     const ReadShapes read = read_shapes(R"({"ty": "el", "p": {"k": [0, 0]}, "s": )" + size + "}, " + red);
-    const auto& drawing = figure(read.nodes[0]).drawing;
+    const auto& drawing = shape(read.nodes[0]).drawing;
     REQUIRE(drawing.keys.size() == 2);
     CHECK(drawing.keys[0].ease == art::Ease{art::EaseKind::cubic, 0.3, 0, 0.6, 1});
 }
@@ -130,13 +130,13 @@ TEST_CASE("gradients become their mean colour, as much of each as is seen, and a
     const std::string gradient =
         R"({"ty": "gf", "o": {"k": 100}, "g": {"p": 2, "k": {"k": [0, 1, 0, 0, 1, 0, 0, 1)";
     const ReadShapes plain = read_shapes(square + ',' + gradient + "]}}}");
-    CHECK(figure(plain.nodes[0]).fill->colour.value().red == doctest::Approx(0.5));
-    CHECK(figure(plain.nodes[0]).fill->opacity.value() == doctest::Approx(1));
+    CHECK(shape(plain.nodes[0]).fill->colour.value().red == doctest::Approx(0.5));
+    CHECK(shape(plain.nodes[0]).fill->opacity.value() == doctest::Approx(1));
     REQUIRE(plain.losses.list().size() == 1);
     CHECK(plain.losses.list()[0].feature == "gradient of a fill");
     const ReadShapes fading = read_shapes(square + ',' + gradient + ", 0, 1, 1, 0]}}}");
-    CHECK(figure(fading.nodes[0]).fill->colour.value().red == doctest::Approx(2.0 / 3).epsilon(0.001));
-    CHECK(figure(fading.nodes[0]).fill->opacity.value() == doctest::Approx(0.5));
+    CHECK(shape(fading.nodes[0]).fill->colour.value().red == doctest::Approx(2.0 / 3).epsilon(0.001));
+    CHECK(shape(fading.nodes[0]).fill->opacity.value() == doctest::Approx(0.5));
 }
 
 TEST_CASE("what is not carried over is reported")

@@ -134,9 +134,10 @@ TEST_CASE("a layer leans as in Lottie while its scales, its turn and its lean ch
         transform(R"("s": {"k": [{"t": 0, "s": [100, 100]}, {"t": 10, "s": [200, 50]}]},
         "sk": {"k": [{"t": 0, "s": 0}, {"t": 20, "s": 40}]}, "r": {"k": [{"t": 5, "s": 0}, {"t": 20, "s": 60}]})");
     for (const double time : {0.0, 2.5, 8.0, 15.0, 20.0}) {
-        const double growth = std::min(time / 10, 1.0);
+        const double scale_factor = std::min(time / 10, 1.0);
         const double turn = time < 5 ? 0 : (time - 5) * 4;
-        const scene::Vec2 expected = lottie_spot({10, 10}, 1 + growth, 1 - growth / 2, time * 2, 0, turn);
+        const scene::Vec2 expected =
+            lottie_spot({10, 10}, 1 + scale_factor, 1 - scale_factor / 2, time * 2, 0, turn);
         CHECK(matrix_at(result, time).of(scene::Vec2{10, 10}).x ==
               doctest::Approx(expected.x).epsilon(0.002));
         CHECK(matrix_at(result, time).of(scene::Vec2{10, 10}).y ==

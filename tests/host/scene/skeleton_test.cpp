@@ -100,16 +100,16 @@ TEST_CASE("keys have a drawing, a skeleton or both, and their laws govern both")
                "key 12 { skeleton { backbone 0 0 0 9 } }");
     REQUIRE(scene);
     CHECK(findings == "");
-    const scene::Object& carried = object_at(*scene);
-    REQUIRE(carried.keys.size() == 2);
-    CHECK(carried.keys[1].time == Time::frame(9));
-    CHECK(carried.keys[0].laws.x == VelocityLaw::accelerate);
-    REQUIRE(carried.backbone_keys.size() == 3);
-    CHECK(carried.backbone_keys[0].laws.y == VelocityLaw::accelerate);
-    CHECK(carried.backbone_keys[1].time == Time::frame(5));
-    CHECK(carried.backbone_keys[1].laws.x == VelocityLaw::hold);
-    CHECK(carried.backbone_keys[1].laws.y == VelocityLaw::constant);
-    CHECK(carried.backbone_keys[2].laws == LawPair{});
+    const scene::Object& deformed = object_at(*scene);
+    REQUIRE(deformed.keys.size() == 2);
+    CHECK(deformed.keys[1].time == Time::frame(9));
+    CHECK(deformed.keys[0].laws.x == VelocityLaw::accelerate);
+    REQUIRE(deformed.backbone_keys.size() == 3);
+    CHECK(deformed.backbone_keys[0].laws.y == VelocityLaw::accelerate);
+    CHECK(deformed.backbone_keys[1].time == Time::frame(5));
+    CHECK(deformed.backbone_keys[1].laws.x == VelocityLaw::hold);
+    CHECK(deformed.backbone_keys[1].laws.y == VelocityLaw::constant);
+    CHECK(deformed.backbone_keys[2].laws == LawPair{});
     CHECK(scene->length == Time::frame(12));
 }
 

@@ -18,16 +18,16 @@ inline art::Drawing box(double x, double y, double width, double height)
               true}}};
 }
 
-inline art::Figure filled(art::Animated<art::Drawing> drawing,
-                          art::Animated<art::Rgb> colour = {art::Rgb{1, 0, 0}})
+inline art::Shape filled(art::Animated<art::Drawing> drawing,
+                         art::Animated<art::Rgb> colour = {art::Rgb{1, 0, 0}})
 {
-    art::Figure figure;
-    figure.drawing = std::move(drawing);
-    figure.fill = art::Fill{std::move(colour), {1}, FillRule::nonzero};
-    return figure;
+    art::Shape shape;
+    shape.drawing = std::move(drawing);
+    shape.fill = art::Fill{std::move(colour), {1}, FillRule::nonzero};
+    return shape;
 }
 
-inline art::Node node(std::string name, std::variant<art::Figure, art::Group> content,
+inline art::Node node(std::string name, std::variant<art::Shape, art::Group> content,
                       art::Transform transform = {})
 {
     art::Node result;

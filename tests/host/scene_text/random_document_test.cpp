@@ -90,31 +90,31 @@ private:
         return drawing;
     }
 
-    art::Figure figure()
+    art::Shape shape()
     {
-        art::Figure figure;
+        art::Shape shape;
         std::vector<art::Key<art::Drawing>> keys;
         for (const double time : random_.times(-10, 110))
             keys.push_back({time, drawing(), random_.ease()});
-        figure.drawing =
+        shape.drawing =
             keys.empty() ? art::Animated<art::Drawing>{drawing()} : art::Animated<art::Drawing>{keys};
         if (random_.chance(0.7))
-            figure.fill = art::Fill{colours(), channel(1, 1), FillRule::even_odd};
+            shape.fill = art::Fill{colours(), channel(1, 1), FillRule::even_odd};
         if (random_.chance(0.6))
-            figure.line = art::Line{colours(),
-                                    channel(1, 1),
-                                    channel(2, 6),
-                                    static_cast<Cap>(random_.integer(0, 2)),
-                                    static_cast<Join>(random_.integer(0, 2)),
-                                    random_.number(0, 40)};
-        figure.matches_length = random_.chance(0.3);
+            shape.stroke = art::StrokeStyle{colours(),
+                                            channel(1, 1),
+                                            channel(2, 6),
+                                            static_cast<Cap>(random_.integer(0, 2)),
+                                            static_cast<Join>(random_.integer(0, 2)),
+                                            random_.number(0, 40)};
+        shape.matches_length = random_.chance(0.3);
         if (!rigs_.empty() && random_.chance(0.3))
-            carry(figure);
-        return figure;
+            deform(shape);
+        return shape;
     }
 
     /// Of one form, as what bones carry is.
-    void carry(art::Figure& figure)
+    void deform(art::Shape& shape)
     {
         const std::size_t rig =
             static_cast<std::size_t>(random_.integer(0, static_cast<int>(rigs_.size()) - 1));
@@ -125,8 +125,8 @@ private:
             keys.back().value.outlines.front().closed = false;
             keys.back().value.outlines.front().curves.back().to = {200, 200};
         }
-        figure.drawing = art::Animated<art::Drawing>{std::move(keys)};
-        figure.matches_length = false;
+        shape.drawing = art::Animated<art::Drawing>{std::move(keys)};
+        shape.matches_length = false;
         art::Skin skin{rig, {}, random_.chance(0.5)};
         for (int i = 0; i <= curves; ++i) {
             skin.points.emplace_back();
@@ -134,7 +134,7 @@ private:
             for (int bone = 0; bone < bones && bone < 4; ++bone)
                 skin.points.back().push_back({static_cast<std::size_t>(bone), random_.number(0.01, 5)});
         }
-        figure.skin = std::move(skin);
+        shape.skin = std::move(skin);
     }
 
     art::Rig rig()
@@ -148,7 +148,7 @@ private:
                     static_cast<std::size_t>(random_.integer(0, static_cast<int>(rig.bones.size()) - 1));
             bone.from = bone.parent && random_.chance(0.5) ? rig.bones[*bone.parent].to : random_.spot(200);
             bone.to = bone.from + scene::Vec2{random_.number(5, 50), random_.number(-50, 50)};
-            bone.turn = channel(0, 400);
+            bone.rotation = channel(0, 400);
             bone.x = channel(0, 50);
             bone.y = channel(0, 50);
             if (random_.chance(0.3))
@@ -205,7 +205,7 @@ private:
         if (depth > 0)
             node.content = art::Group{nodes(depth - 1)};
         else
-            node.content = figure();
+            node.content = shape();
         return node;
     }
 

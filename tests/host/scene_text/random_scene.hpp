@@ -100,9 +100,9 @@ private:
         return outline;
     }
 
-    art::Figure figure()
+    art::Shape shape()
     {
-        art::Figure figure;
+        art::Shape shape;
         const int curves = random_.integer(3, 6);
         const bool cubic = random_.chance(0.5);
         std::vector<art::Key<art::Drawing>> keys;
@@ -111,12 +111,12 @@ private:
                 keys.push_back({time, {{outline(curves, cubic)}}, random_.ease()});
         if (random_.chance(0.5))
             keys.resize(1);
-        figure.drawing = art::Animated<art::Drawing>{std::move(keys)};
+        shape.drawing = art::Animated<art::Drawing>{std::move(keys)};
         const int colour = random_.integer(0, 2);
-        figure.fill = art::Fill{{{colour == 0 ? 1.0 : 0, colour == 1 ? 1.0 : 0, colour == 2 ? 1.0 : 0}},
-                                {1},
-                                random_.chance(0.5) ? FillRule::nonzero : FillRule::even_odd};
-        return figure;
+        shape.fill = art::Fill{{{colour == 0 ? 1.0 : 0, colour == 1 ? 1.0 : 0, colour == 2 ? 1.0 : 0}},
+                               {1},
+                               random_.chance(0.5) ? FillRule::nonzero : FillRule::even_odd};
+        return shape;
     }
 
     art::Node node(int depth)
@@ -128,7 +128,7 @@ private:
         if (random_.chance(0.2))
             node.shown = {{random_.number(-5, 20), random_.number(20, 50)}};
         if (depth == 0 || random_.chance(0.2)) {
-            node.content = figure();
+            node.content = shape();
             return node;
         }
         art::Group group;

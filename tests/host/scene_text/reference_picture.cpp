@@ -26,7 +26,7 @@ Affine matrix(const art::Transform& transform, double time)
     }
     return place * art::turned(transform.rotate.at(time)) *
            art::grown(transform.scale_x.at(time), transform.scale_y.at(time)) *
-           art::leant(transform.skew.at(time), transform.skew_axis.at(time)) *
+           art::skewed(transform.skew.at(time), transform.skew_axis.at(time)) *
            art::moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 
@@ -139,11 +139,11 @@ void paint(const std::vector<art::Node>& nodes, const Affine& outer, double time
             paint(group->nodes, own, time, canvas);
             continue;
         }
-        const auto& figure = std::get<art::Figure>(node.content);
+        const auto& shape = std::get<art::Shape>(node.content);
         std::vector<std::vector<Vec2>> outlines;
-        for (const scene::Outline& outline : figure.drawing.at(time).outlines)
+        for (const scene::Outline& outline : shape.drawing.at(time).outlines)
             outlines.push_back(flat(outline, own));
-        canvas.fill(outlines, figure.fill->rule, figure.fill->colour.at(time));
+        canvas.fill(outlines, shape.fill->rule, shape.fill->colour.at(time));
     }
 }
 

@@ -13,18 +13,18 @@ art::Document with_arm(art::Channel upper_turn, art::Channel lower_turn)
     upper.name = "upper";
     upper.from = {10, 10};
     upper.to = {30, 10};
-    upper.turn = std::move(upper_turn);
+    upper.rotation = std::move(upper_turn);
     art::Bone lower;
     lower.name = "lower";
     lower.parent = 0;
     lower.from = {30, 10};
     lower.to = {50, 10};
-    lower.turn = std::move(lower_turn);
+    lower.rotation = std::move(lower_turn);
     lower.at_tip = true;
-    art::Figure sleeve;
+    art::Shape sleeve;
     sleeve.drawing = {
         art::Drawing{{{{10, 10}, {scene::line_to({30, 10}), scene::line_to({50, 10})}, false}}}};
-    sleeve.line = art::Line{};
+    sleeve.stroke = art::StrokeStyle{};
     sleeve.skin = art::Skin{0, {{{0, 1}}, {{0, 1}, {1, 1}}, {{1, 2}}}, false};
     art::Document made = document({node("sleeve", std::move(sleeve))});
     made.rigs = {{"arm", {upper, lower}}};
@@ -90,7 +90,7 @@ TEST_CASE("a key of one quantity divides the way of another")
 TEST_CASE("a figure that follows one bone says so")
 {
     art::Document made = with_arm({0}, rising(0, 45));
-    std::get<art::Figure>(made.nodes.front().content).skin->points = {{{1, 1}}, {{1, 1}}, {{1, 5}}};
+    std::get<art::Shape>(made.nodes.front().content).skin->points = {{{1, 1}}, {{1, 1}}, {{1, 5}}};
     CHECK(written(made).find("object sleeve stroke=black skin=arm bone=lower { line 10 10 30 10 50 10 }") !=
           std::string::npos);
 }
@@ -98,7 +98,7 @@ TEST_CASE("a figure that follows one bone says so")
 TEST_CASE("a skeleton that carries nothing is left out")
 {
     art::Document made = with_arm({0}, {0});
-    std::get<art::Figure>(made.nodes.front().content).skin.reset();
+    std::get<art::Shape>(made.nodes.front().content).skin.reset();
     CHECK(written(made).find("bones") == std::string::npos);
 }
 

@@ -69,11 +69,11 @@ TEST_CASE("what stands still is drawn where it is seen")
     moved.x = {5};
     moved.rotate = {90};
     moved.scale_x = moved.scale_y = {2};
-    Node line = red_box("box");
-    auto& figure = std::get<art::Figure>(line.content);
-    figure.fill.reset();
-    figure.line = art::Line{};
-    CHECK(written_items({node("", Group{{line}}, moved)}) ==
+    Node stroke = red_box("box");
+    auto& shape = std::get<art::Shape>(stroke.content);
+    shape.fill.reset();
+    shape.stroke = art::StrokeStyle{};
+    CHECK(written_items({node("", Group{{stroke}}, moved)}) ==
           "object box stroke=black width=2 { polygon -15 20 -15 60 -55 60 -55 20 }\n");
 }
 
@@ -182,9 +182,9 @@ TEST_CASE("a fill and a line with different laws become two objects")
 {
     Node both =
         node("box", filled(box(0, 0, 10, 10), art::Animated<art::Rgb>{{{0, {1, 1, 1}, {}}, {20, {}, {}}}}));
-    auto& figure = std::get<art::Figure>(both.content);
-    figure.line = art::Line{};
-    figure.line->colour = art::Animated<art::Rgb>{{{0, {}, {EaseKind::hold}}, {20, {1, 1, 1}, {}}}};
+    auto& shape = std::get<art::Shape>(both.content);
+    shape.stroke = art::StrokeStyle{};
+    shape.stroke->colour = art::Animated<art::Rgb>{{{0, {}, {EaseKind::hold}}, {20, {1, 1, 1}, {}}}};
     const std::string items = written_items({both});
     CHECK(items.find("object box fill=white {") != std::string::npos);
     CHECK(items.find("object box-line stroke=black {") != std::string::npos);
@@ -193,9 +193,9 @@ TEST_CASE("a fill and a line with different laws become two objects")
 TEST_CASE("the opacity of a fill goes into its colour, or if it changes becomes that of the object")
 {
     Node still = red_box("still");
-    std::get<art::Figure>(still.content).fill->opacity = {0.5};
+    std::get<art::Shape>(still.content).fill->opacity = {0.5};
     Node fading = red_box("fading");
-    std::get<art::Figure>(fading.content).fill->opacity = rising(0, 1);
+    std::get<art::Shape>(fading.content).fill->opacity = rising(0, 1);
     const std::string text = written(document({still, fading}));
     CHECK(text.find("still \"#ff000080\"") != std::string::npos);
     CHECK(text.find("track opacity law=constant { at 0 0; at 30 1 }") != std::string::npos);
@@ -223,10 +223,10 @@ TEST_CASE("what is never seen is left out")
     Node clear = red_box("clear");
     clear.opacity = {0};
     Node thin = red_box("thin");
-    std::get<art::Figure>(thin.content).fill.reset();
-    std::get<art::Figure>(thin.content).line = art::Line{};
-    std::get<art::Figure>(thin.content).line->width = {0};
-    CHECK(written_items({hidden, late, clear, thin, node("none", Group{}), node("none", art::Figure{})}) ==
+    std::get<art::Shape>(thin.content).fill.reset();
+    std::get<art::Shape>(thin.content).stroke = art::StrokeStyle{};
+    std::get<art::Shape>(thin.content).stroke->width = {0};
+    CHECK(written_items({hidden, late, clear, thin, node("none", Group{}), node("none", art::Shape{})}) ==
           "");
 }
 
@@ -277,10 +277,10 @@ TEST_CASE("a line whose pen would be bent is a loss")
 {
     Transform wide;
     wide.scale_x = {2};
-    Node line = node("box", filled(box(0, 0, 10, 10)), wide);
-    CHECK(loss_of(document({line})) == "");
-    std::get<art::Figure>(line.content).line = art::Line{};
-    CHECK(loss_of(document({line})) == "a line that becomes wider one way than the other");
+    Node stroke = node("box", filled(box(0, 0, 10, 10)), wide);
+    CHECK(loss_of(document({stroke})) == "");
+    std::get<art::Shape>(stroke.content).stroke = art::StrokeStyle{};
+    CHECK(loss_of(document({stroke})) == "a line that becomes wider one way than the other");
 }
 
 TEST_CASE("what is drawn too large for coordinates is drawn smaller and grows")

@@ -84,7 +84,7 @@ TEST_CASE("nothing clicks: no step is longer than the beam travels, neither betw
             CAPTURE(loop);
             CAPTURE(rate);
             const Wave wave{moving, loop, rate};
-            CHECK(wave.loop.hasty_tours == 0);
+            CHECK(wave.loop.sped_up_tours == 0);
             CHECK(wave.loop.incomplete_tours == 0);
             CHECK(longest_step(wave.loop.points) <= sound_profile.travel_step + rounding);
             CHECK(longest_step(wave.loop.points) > sound_profile.lit_step);
@@ -127,5 +127,5 @@ TEST_CASE("a wave that is shorter than a tour is drawn in haste")
 {
     const Wave wave{moving, "fps=30 loop=repeat", 48'000, 60};
     CHECK(wave.loop.points.size() == 60);
-    CHECK(wave.loop.hasty_tours > 0);
+    CHECK(wave.loop.sped_up_tours > 0);
 }

@@ -33,7 +33,7 @@ namespace {
 /// Of what is left of a 20 x 20 rectangle at (20, 20).
 std::vector<double> rest(const std::string& clip)
 {
-    return box(figure(read_drawing("<defs>" + clip + "</defs>" + part), "rect").drawing.value());
+    return box(shape(read_drawing("<defs>" + clip + "</defs>" + part), "rect").drawing.value());
 }
 
 using Corners = std::vector<double>;
@@ -76,10 +76,10 @@ TEST_CASE("curves that are cut stay curves")
     const auto near = [](const std::vector<double>& one, const std::vector<double>& other) {
         return std::ranges::equal(one, other, [](double a, double b) { return std::abs(a - b) < 0.01; });
     };
-    const auto& left = figure(document, "left").drawing.value();
+    const auto& left = shape(document, "left").drawing.value();
     CHECK(near(box(left), {30, 30, 50, 70}));
     CHECK(left.outlines.front().curves.size() == 3);
-    const auto& up = figure(document, "up").drawing.value();
+    const auto& up = shape(document, "up").drawing.value();
     CHECK(near(box(up), {30, 30, 70, 50}));
     CHECK(up.outlines.front().curves.size() <= 4);
 }
@@ -92,8 +92,8 @@ TEST_CASE("a clip reaches into groups, through their transforms")
                      "width='5' height='5' stroke='red'/>"
                      "<g transform='scale(2)'><rect id='over' x='15' y='15' width='9' height='2'/></g><rect "
                      "id='out' width='9' height='9'/></g>");
-    CHECK(box(figure(document, "in").drawing.value()) == Corners{35, 25, 40, 30});
-    CHECK(box(figure(document, "over").drawing.value()) == Corners{40, 30, 50, 34});
+    CHECK(box(shape(document, "in").drawing.value()) == Corners{35, 25, 40, 30});
+    CHECK(box(shape(document, "over").drawing.value()) == Corners{40, 30, 50, 34});
     CHECK(document.nodes.size() == 2);
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("the clip of a use lies where the use does, before its x and y")
         read_drawing("<defs><rect id='r' width='20' height='20'/></defs>"
                      "<clipPath id='c'><rect x='15' y='0' width='90' height='90'/></clipPath>"
                      "<use id='u' href='#r' x='10' clip-path='url(#c)'/>");
-    CHECK(box(figure(document, "u").drawing.value()) == Corners{15, 0, 30, 20});
+    CHECK(box(shape(document, "u").drawing.value()) == Corners{15, 0, 30, 20});
 }
 
 TEST_CASE("a clip of the outermost element holds for all")
@@ -111,7 +111,7 @@ TEST_CASE("a clip of the outermost element holds for all")
     const auto document = read_drawing("<clipPath id='c'><rect width='30' height='90'/></clipPath>"
                                        "<rect x='20' y='20' width='20' height='20'/>",
                                        "width='100' height='100' clip-path='url(#c)'");
-    CHECK(box(figure(document, "rect").drawing.value()) == Corners{20, 20, 30, 40});
+    CHECK(box(shape(document, "rect").drawing.value()) == Corners{20, 20, 30, 40});
 }
 
 TEST_CASE("a clip that cannot be cut is lost")
@@ -153,10 +153,10 @@ TEST_CASE("a nested drawing cuts at its edge")
         losses_of("<svg x='10' y='10' width='20' height='20'><circle r='5' cx='10' cy='10'/></svg>").empty());
     const auto document =
         read_drawing("<svg x='10' y='10' width='20' height='20'><rect x='-5' width='9' height='9'/></svg>");
-    CHECK(box(figure(document, "rect").drawing.value()) == Corners{10, 10, 14, 19});
+    CHECK(box(shape(document, "rect").drawing.value()) == Corners{10, 10, 14, 19});
     const auto with_room = read_drawing("<svg x='10' y='10' width='20' height='20' viewBox='0 0 10 5'>"
                                         "<rect width='10' height='9'/></svg>");
-    CHECK(box(figure(with_room, "rect").drawing.value()) == Corners{10, 15, 30, 30});
+    CHECK(box(shape(with_room, "rect").drawing.value()) == Corners{10, 15, 30, 30});
     CHECK(losses_of("<svg x='10' y='10' width='20' height='20'><circle r='5' stroke='red'/></svg>") ==
           std::vector<std::string>{"overflow hidden | svg / circle | the line is drawn whole"});
     CHECK(losses_of("<svg x='10' y='10' width='20' height='20' overflow='visible'><circle r='5'/></svg>")

@@ -103,9 +103,9 @@ const art::Node& find(const art::Document& document, std::string_view name)
     return *node;
 }
 
-const art::Figure& figure(const art::Document& document, std::string_view name)
+const art::Shape& shape(const art::Document& document, std::string_view name)
 {
-    return std::get<art::Figure>(find(document, name).content);
+    return std::get<art::Shape>(find(document, name).content);
 }
 
 std::vector<double> box(const art::Drawing& drawing)

@@ -32,7 +32,7 @@ std::vector<std::string> losses_of_keys(const std::vector<std::string>& contents
 
 /// The node of that name, wherever it lies; fails the test if there is none.
 const art::Node& find(const art::Document& document, std::string_view name);
-const art::Figure& figure(const art::Document& document, std::string_view name);
+const art::Shape& shape(const art::Document& document, std::string_view name);
 
 /// The box around the points of a drawing: least x, least y, most x, most y.
 std::vector<double> box(const art::Drawing& drawing);

@@ -150,7 +150,7 @@ TEST_CASE("numbers out of all proportion give a scene of finite ones")
         losses);
     CHECK(document.width <= 1e5);
     for (const art::Node& node : document.nodes)
-        for (const double coordinate : box(std::get<art::Figure>(node.content).drawing.value()))
+        for (const double coordinate : box(std::get<art::Shape>(node.content).drawing.value()))
             CHECK(std::isfinite(coordinate));
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("what is the same in all drawings is still")
         {"<rect id='it' width='9' height='9'/>", "<rect id='it' width='9' height='9'/>"}, {0, 12});
     CHECK(document.frames == 12);
     CHECK(document.loop == Loop::repeat);
-    CHECK(figure(document, "it").drawing.is_still());
+    CHECK(shape(document, "it").drawing.is_still());
     CHECK(find(document, "it").transform == art::Transform{});
 }
 
@@ -45,11 +45,11 @@ TEST_CASE("what changes its form does so in its points")
         read_drawings({"<rect id='it' width='9' height='9'/>", "<rect id='it' width='9' height='9'/>",
                        "<rect id='it' width='9' height='18'/>"},
                       {0, 6, 12});
-    const auto& drawing = figure(document, "it").drawing;
+    const auto& drawing = shape(document, "it").drawing;
     CHECK(times(drawing) == Box{0, 6, 12});
     CHECK(box(drawing.keys[1].value) == Box{0, 0, 9, 9});
     CHECK(box(last(drawing)) == Box{0, 0, 9, 18});
-    CHECK_FALSE(figure(document, "it").matches_length);
+    CHECK_FALSE(shape(document, "it").matches_length);
     CHECK(document.loop == Loop::ping_pong);
 }
 
@@ -57,17 +57,17 @@ TEST_CASE("forms that differ meet by length")
 {
     const auto same =
         read_drawings({"<path id='it' d='M0 0v9h9z'/>", "<path id='it' d='M0 0h9v9z'/>"}, {0, 6});
-    CHECK_FALSE(figure(same, "it").matches_length);
+    CHECK_FALSE(shape(same, "it").matches_length);
     const auto other =
         read_drawings({"<rect id='it' width='9' height='9'/>", "<path id='it' d='M0 0h9v9z'/>"}, {0, 6});
-    CHECK(figure(other, "it").matches_length);
+    CHECK(shape(other, "it").matches_length);
 }
 
 TEST_CASE("what only moves does so as a whole, and what turns, turns")
 {
     const auto moved =
         read_drawings({"<path id='it' d='M0 0h9v9z'/>", "<path id='it' d='M10 5h9v9z'/>"}, {0, 6});
-    CHECK(figure(moved, "it").drawing.is_still());
+    CHECK(shape(moved, "it").drawing.is_still());
     const auto& transform = find(moved, "it").transform;
     CHECK(transform.x.at(6) - transform.x.at(0) == doctest::Approx(10));
     CHECK(transform.y.at(6) - transform.y.at(0) == doctest::Approx(5));
@@ -100,7 +100,7 @@ TEST_CASE("a group that leans passes that on to its points")
         read_drawings({"<g id='lean'><rect id='it' width='10' height='10'/></g>",
                        "<g id='lean' transform='skewX(45)'><rect id='it' width='10' height='10'/></g>"},
                       {0, 6});
-    CHECK(box(last(figure(document, "it").drawing)) == Box{0, 0, 20, 10});
+    CHECK(box(last(shape(document, "it").drawing)) == Box{0, 0, 20, 10});
 }
 
 TEST_CASE("what grows from nothing has its full size in its points")
@@ -109,7 +109,7 @@ TEST_CASE("what grows from nothing has its full size in its points")
         read_drawings({"<g id='pop' transform='scale(0.001)'><rect id='it' width='10' height='10'/></g>",
                        "<g id='pop'><rect id='it' width='10' height='10'/></g>"},
                       {0, 6});
-    CHECK(box(figure(document, "it").drawing.value()) == Box{0, 0, 10, 10});
+    CHECK(box(shape(document, "it").drawing.value()) == Box{0, 0, 10, 10});
     CHECK(values(find(document, "pop").transform.scale_x) == Box{0.001, 1});
 }
 
@@ -122,11 +122,11 @@ TEST_CASE("colours, widths and opacities have keys of their own")
                                          pose("fill='red' stroke='blue' stroke-width='3' opacity='.5'"),
                                          pose("fill='none' stroke='blue' stroke-width='3' opacity='.5'")},
                                         {0, 6, 12});
-    const auto& it = figure(document, "it");
+    const auto& it = shape(document, "it");
     CHECK(it.fill->colour.is_still());
     CHECK(values(it.fill->opacity) == Box{1, 1, 0});
-    CHECK(times(it.line->colour) == Box{0, 6});
-    CHECK(values(it.line->width) == Box{1, 3});
+    CHECK(times(it.stroke->colour) == Box{0, 6});
+    CHECK(values(it.stroke->width) == Box{1, 3});
     CHECK(values(find(document, "it").opacity) == Box{1, 0.5});
 }
 
@@ -164,8 +164,8 @@ TEST_CASE("the ease and the frame rate that were asked for")
                                         {3, 6}, {.frame_rate = 12, .ease = hold});
     CHECK(document.frame_rate == 12);
     CHECK(document.frames == 7);
-    CHECK(figure(document, "it").drawing.keys.front().ease == hold);
-    CHECK(figure(document, "it").drawing.keys.front().time == 3);
+    CHECK(shape(document, "it").drawing.keys.front().ease == hold);
+    CHECK(shape(document, "it").drawing.keys.front().time == 3);
 }
 
 TEST_CASE("what changes but cannot is told")

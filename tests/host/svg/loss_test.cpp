@@ -86,7 +86,7 @@ TEST_CASE("a pattern is painted as its mean colour")
                                          "</pattern><rect id='it' width='20' height='10' fill='url(#p)'/>");
         if (document.nodes.empty())
             return std::string{"nothing"};
-        const auto& found = *figure(document, "it").fill;
+        const auto& found = *shape(document, "it").fill;
         return hex(found.colour.value()) + ' ' + std::to_string(std::lround(100 * found.opacity.value()));
     };
     const std::string of_user = "width='4' height='4' patternUnits='userSpaceOnUse'";

@@ -11,7 +11,7 @@ namespace {
 std::vector<double> box_of(std::string_view content,
                            std::string_view attributes = R"(width="100" height="100")")
 {
-    return box(figure(read_drawing(content, attributes), "it").drawing.value());
+    return box(shape(read_drawing(content, attributes), "it").drawing.value());
 }
 
 std::size_t nodes_of(std::string_view content) { return read_drawing(content).nodes.size(); }
@@ -42,9 +42,9 @@ TEST_CASE("a drawing without a size is as large as its view box")
 TEST_CASE("shapes have the outlines that scenes have for them")
 {
     const auto rect =
-        figure(read_drawing(R"(<rect id="it" x="1" y="2" width="30" height="40" rx="5"/>)"), "it");
+        shape(read_drawing(R"(<rect id="it" x="1" y="2" width="30" height="40" rx="5"/>)"), "it");
     CHECK(rect.drawing.value() == art::Drawing{{scene::rectangle({1, 2}, 30, 40, 5)}});
-    const auto circle = figure(read_drawing(R"(<circle id="it" cx="10" cy="20" r="5"/>)"), "it");
+    const auto circle = shape(read_drawing(R"(<circle id="it" cx="10" cy="20" r="5"/>)"), "it");
     CHECK(circle.drawing.value() == art::Drawing{{scene::ellipse({10, 20}, 5, 5)}});
     CHECK(box_of(R"(<ellipse id="it" cx="20" cy="20" rx="5" ry="8"/>)") == Box{15, 12, 25, 28});
     CHECK(box_of(R"(<ellipse id="it" cx="20" cy="20" rx="5"/>)") == Box{15, 15, 25, 25});
@@ -57,12 +57,12 @@ TEST_CASE("shapes have the outlines that scenes have for them")
 
 TEST_CASE("corners of a rectangle are cut as in SVG")
 {
-    CHECK(figure(read_drawing(R"(<rect id="it" width="30" height="40" rx="500"/>)"), "it")
+    CHECK(shape(read_drawing(R"(<rect id="it" width="30" height="40" rx="500"/>)"), "it")
               .drawing.value()
               .outlines.front()
               .from.x == 15);
     const auto elliptic =
-        figure(read_drawing(R"(<rect id="it" width="30" height="40" rx="5" ry="10"/>)"), "it");
+        shape(read_drawing(R"(<rect id="it" width="30" height="40" rx="5" ry="10"/>)"), "it");
     CHECK(elliptic.drawing.value().outlines.front().curves.size() == 8);
     CHECK(elliptic.drawing.value().outlines.front().from.x == 5);
 }
@@ -87,8 +87,8 @@ TEST_CASE("a use is named by itself, else by what it shows")
     const auto document = read_drawing(R"(
         <defs><circle id="dot" r="5"/></defs>
         <use href="#dot" x="20" y="30"/><use id="other" href="#dot"/>)");
-    CHECK(box(figure(document, "dot").drawing.value()) == Box{15, 25, 25, 35});
-    CHECK(box(figure(document, "other").drawing.value()) == Box{-5, -5, 5, 5});
+    CHECK(box(shape(document, "dot").drawing.value()) == Box{15, 25, 25, 35});
+    CHECK(box(shape(document, "other").drawing.value()) == Box{-5, -5, 5, 5});
 }
 
 TEST_CASE("a symbol is as large as its use says")
@@ -96,7 +96,7 @@ TEST_CASE("a symbol is as large as its use says")
     const auto document = read_drawing(R"(
         <symbol id="sign" viewBox="0 0 10 10"><rect id="it" width="10" height="10"/></symbol>
         <use id="used" href="#sign" x="5" y="6" width="40" height="40"/>)");
-    CHECK(box(figure(document, "it").drawing.value()) == Box{5, 6, 45, 46});
+    CHECK(box(shape(document, "it").drawing.value()) == Box{5, 6, 45, 46});
 }
 
 TEST_CASE("dashes are strokes of their own, above the fill")
@@ -104,19 +104,19 @@ TEST_CASE("dashes are strokes of their own, above the fill")
     const auto document = read_drawing(R"(
         <rect id="it" width="30" height="10" fill="red" stroke="blue" stroke-dasharray="5 5"/>
         <path id="only" d="M0 0H20" stroke="blue" stroke-dasharray="5"/>)");
-    CHECK(figure(document, "it").drawing.value().outlines.size() == 1);
-    CHECK_FALSE(figure(document, "it").line);
-    CHECK(figure(document, "it line").drawing.value().outlines.size() == 8);
-    CHECK_FALSE(figure(document, "it line").fill);
-    CHECK(figure(document, "only").drawing.value().outlines.size() == 2);
-    CHECK(box({{figure(document, "only").drawing.value().outlines[1]}}) == Box{10, 0, 15, 0});
+    CHECK(shape(document, "it").drawing.value().outlines.size() == 1);
+    CHECK_FALSE(shape(document, "it").stroke);
+    CHECK(shape(document, "it line").drawing.value().outlines.size() == 8);
+    CHECK_FALSE(shape(document, "it line").fill);
+    CHECK(shape(document, "only").drawing.value().outlines.size() == 2);
+    CHECK(box({{shape(document, "only").drawing.value().outlines[1]}}) == Box{10, 0, 15, 0});
 }
 
 TEST_CASE("an author's length of a path counts for its dashes")
 {
     const auto document =
         read_drawing(R"(<path id="it" d="M0 0H100" stroke="blue" stroke-dasharray="1 1" pathLength="10"/>)");
-    CHECK(figure(document, "it").drawing.value().outlines.size() == 5);
+    CHECK(shape(document, "it").drawing.value().outlines.size() == 5);
 }
 
 TEST_CASE("a line below its fill is a figure below it")
@@ -132,7 +132,7 @@ TEST_CASE("a radius below nothing is as the other one")
 {
     CHECK(box_of("<ellipse id='it' cx='50' cy='50' rx='-3' ry='20'/>") == Box{30, 30, 70, 70});
     CHECK(box_of("<ellipse id='it' cx='50' cy='50' rx='20' ry='-3'/>") == Box{30, 30, 70, 70});
-    const auto rect = figure(read_drawing("<rect id='it' width='30' height='40' rx='-2' ry='5'/>"), "it");
+    const auto rect = shape(read_drawing("<rect id='it' width='30' height='40' rx='-2' ry='5'/>"), "it");
     CHECK(rect.drawing.value() == art::Drawing{{scene::rectangle({0, 0}, 30, 40, 5)}});
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// Of the figure "it".
 std::string fill(std::string_view content)
 {
-    const auto found = figure(read_drawing(content), "it").fill;
+    const auto found = shape(read_drawing(content), "it").fill;
     return found ? hex(found->colour.value()) : "none";
 }
 
@@ -21,7 +21,7 @@ std::string styled(const std::string& css, const std::string& attributes, const 
                 "><rect id='it' width='9' height='9' stroke='red' " + attributes + "/></g>");
 }
 
-const art::Line& line(const art::Document& document) { return *figure(document, "it").line; }
+const art::StrokeStyle& stroke(const art::Document& document) { return *shape(document, "it").stroke; }
 
 }
 
@@ -80,17 +80,18 @@ TEST_CASE("pens")
     const auto document = read_drawing(R"(
         <g stroke-linecap="round" stroke-linejoin="bevel"><path id="it" d="M0 0h9" stroke='rgba(255,0,0,.5)'
         stroke-opacity="50%" stroke-width="1cm" stroke-miterlimit="7"/></g>)");
-    CHECK(line(document).width.value() == doctest::Approx(96 / 2.54));
-    CHECK(line(document).opacity.value() == doctest::Approx(0.25));
-    CHECK(line(document).cap == Cap::round);
-    CHECK(line(document).join == Join::bevel);
-    CHECK(line(document).miter_limit == 7);
+    CHECK(stroke(document).width.value() == doctest::Approx(96 / 2.54));
+    CHECK(stroke(document).opacity.value() == doctest::Approx(0.25));
+    CHECK(stroke(document).cap == Cap::round);
+    CHECK(stroke(document).join == Join::bevel);
+    CHECK(stroke(document).miter_limit == 7);
 }
 
 TEST_CASE("a pen grows with what it draws, if it is not to keep its width")
 {
     const auto width = [](const std::string& attributes) {
-        return line(read_drawing("<path id='it' d='M0 0h9' stroke='red' " + attributes + "/>")).width.value();
+        return stroke(read_drawing("<path id='it' d='M0 0h9' stroke='red' " + attributes + "/>"))
+            .width.value();
     };
     CHECK(width("transform='scale(3)'") == doctest::Approx(3));
     CHECK(width("transform='rotate(30) scale(-2 2)' stroke-width='2'") == doctest::Approx(4));
@@ -102,8 +103,8 @@ TEST_CASE("the fill rule, and the opacities of fill and element")
 {
     const auto document = read_drawing(R"(
         <path id="it" d="M0 0h9v9z" fill="red" fill-rule="evenodd" fill-opacity=".5" opacity="40%"/>)");
-    CHECK(figure(document, "it").fill->rule == FillRule::even_odd);
-    CHECK(figure(document, "it").fill->opacity.value() == 0.5);
+    CHECK(shape(document, "it").fill->rule == FillRule::even_odd);
+    CHECK(shape(document, "it").fill->opacity.value() == 0.5);
     CHECK(find(document, "it").opacity.value() == 0.4);
 }
 
@@ -131,8 +132,8 @@ TEST_CASE("a gradient is its mean colour, by the lengths of its pieces and by wh
                              Mean{"mostly", "#bf0040", 1}, Mean{"clear", "#ff0000", 0.5}}) {
         CAPTURE(mean.id);
         const auto document = read_lossy(painted(mean.id));
-        CHECK(hex(figure(document, "it").fill->colour.value()) == mean.colour);
-        CHECK(figure(document, "it").fill->opacity.value() == doctest::Approx(mean.opacity));
+        CHECK(hex(shape(document, "it").fill->colour.value()) == mean.colour);
+        CHECK(shape(document, "it").fill->opacity.value() == doctest::Approx(mean.opacity));
     }
     CHECK(fill(painted("nothing")) == "#00ff00");
 }

@@ -15,7 +15,7 @@ TEST_CASE("transforms of what does not move go into the points")
         <g id="layer1" transform='translate(10 20)'><g id="g5" transform='scale(2)'>
         <rect id="it" width="5" height="6" transform='translate(1 1)'/></g></g>)");
     REQUIRE(document.nodes.size() == 1);
-    CHECK(box(figure(document, "it").drawing.value()) == Box{12, 22, 22, 34});
+    CHECK(box(shape(document, "it").drawing.value()) == Box{12, 22, 22, 34});
     CHECK(document.nodes.front().transform == art::Transform{});
 }
 
@@ -23,7 +23,7 @@ TEST_CASE("a view box is a transform as well")
 {
     const auto document = read_drawing(R"(<rect id="it" x="10" y="10" width="10" height="10"/>)",
                                        R"(width="100" height="50" viewBox="10 10 20 20")");
-    CHECK(box(figure(document, "it").drawing.value()) == Box{25, 0, 50, 25});
+    CHECK(box(shape(document, "it").drawing.value()) == Box{25, 0, 50, 25});
 }
 
 TEST_CASE("groups stay where an author has named them, or where they fade")
@@ -48,7 +48,7 @@ TEST_CASE("a transform about an origin")
         <rect id="own" x="10" y="10" width="10" height="10"
          style="transform: scale(2); transform-origin: center; transform-box: fill-box"/>
         <rect id="page" x="10" y="10" width="10" height="10" style="transform: scale(2); transform-origin: right 50%"/>)");
-    CHECK(box(figure(document, "it").drawing.value()) == Box{10, 10, 30, 30});
-    CHECK(box(figure(document, "own").drawing.value()) == Box{5, 5, 25, 25});
-    CHECK(box(figure(document, "page").drawing.value()) == Box{-80, -30, -60, -10});
+    CHECK(box(shape(document, "it").drawing.value()) == Box{10, 10, 30, 30});
+    CHECK(box(shape(document, "own").drawing.value()) == Box{5, 5, 25, 25});
+    CHECK(box(shape(document, "page").drawing.value()) == Box{-80, -30, -60, -10});
 }

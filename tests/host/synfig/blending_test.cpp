@@ -42,7 +42,7 @@ std::string group(const std::string& parameters, const std::string& layers)
 
 const std::string red_ball = layer("circle", parameter("color", colour("1", "0", "0")));
 
-art::Rgb colour_of(const art::Node& node) { return std::get<art::Figure>(node.content).fill->colour.value(); }
+art::Rgb colour_of(const art::Node& node) { return std::get<art::Shape>(node.content).fill->colour.value(); }
 
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("what is transparent in a gradient has no say in the mean colour")
     const ReadFile file =
         read_layers(layer("linear_gradient", gradient(stop("0", "1", "1") + stop("0.8", "0", "0"))));
     CHECK(colour_of(file.node()).red == doctest::Approx(1));
-    CHECK(file.figure().fill->opacity.value() == doctest::Approx(0.4));
+    CHECK(file.shape().fill->opacity.value() == doctest::Approx(0.4));
 }
 
 TEST_CASE("a radial gradient that fades out is a circle up to half of its opacity")
@@ -108,9 +108,9 @@ TEST_CASE("a radial gradient that fades out is a circle up to half of its opacit
     const ReadFile file =
         read_layers(layer("radial_gradient", gradient(stop("0", "1", "1") + stop("1", "1", "0")) +
                                                  parameter("radius", real("1"))));
-    const auto& outline = file.figure().drawing.value().outlines.at(0);
+    const auto& outline = file.shape().drawing.value().outlines.at(0);
     CHECK(outline.from.x == doctest::Approx(100 + 25));
-    CHECK(file.figure().fill->opacity.value() == doctest::Approx(2.0 / 3).epsilon(0.01));
+    CHECK(file.shape().fill->opacity.value() == doctest::Approx(2.0 / 3).epsilon(0.01));
     REQUIRE(file.losses.list().size() == 1);
     CHECK(file.losses.list()[0].instead == "a circle in its mean colour");
 }
@@ -156,7 +156,7 @@ TEST_CASE("what is painted behind is not moved with what lies below it")
     const ReadFile file = read_layers(red_ball + layer("translate", parameter("origin", vector("1", "0"))) +
                                       layer("star", method("12")));
     REQUIRE(file.document.nodes.size() == 2);
-    CHECK(std::holds_alternative<art::Figure>(file.document.nodes[0].content));
+    CHECK(std::holds_alternative<art::Shape>(file.document.nodes[0].content));
     CHECK(std::holds_alternative<art::Group>(file.document.nodes[1].content));
 }
 

@@ -49,14 +49,14 @@ TEST_CASE("a skeleton deformation whose bones keep their lengths is a skeleton")
     REQUIRE(bones.size() == 2);
     CHECK(bones[0].from.x == doctest::Approx(50));
     CHECK(bones[0].to.x == doctest::Approx(100));
-    CHECK(bones[0].turn.is_still());
+    CHECK(bones[0].rotation.is_still());
     CHECK(bones[1].parent == std::size_t{0});
-    REQUIRE(bones[1].turn.keys.size() == 2);
-    CHECK(bones[1].turn.keys[1].value == doctest::Approx(-90));
+    REQUIRE(bones[1].rotation.keys.size() == 2);
+    CHECK(bones[1].rotation.keys[1].value == doctest::Approx(-90));
     CHECK(bones[1].x.value() == doctest::Approx(0));
-    REQUIRE(file.figure().skin);
-    CHECK(file.figure().skin->points.size() > 4);
-    for (const auto& shares : file.figure().skin->points) {
+    REQUIRE(file.shape().skin);
+    CHECK(file.shape().skin->points.size() > 4);
+    for (const auto& shares : file.shape().skin->points) {
         CHECK(!shares.empty());
         CHECK(shares.size() <= 4);
     }
@@ -69,8 +69,8 @@ TEST_CASE("where bones are stretched the drawing follows them point by point")
     const ReadFile file = deformed(bone("R1", "root", "-1", still) + bone("R2", "R1", "1", still) +
                                    bone("P1", "root", "-1", still, growing) + bone("P2", "P1", "1", still));
     CHECK(file.document.rigs.empty());
-    CHECK_FALSE(file.figure().skin);
-    CHECK_FALSE(file.figure().drawing.is_still());
+    CHECK_FALSE(file.shape().skin);
+    CHECK_FALSE(file.shape().drawing.is_still());
 }
 
 TEST_CASE("values that are linked to a bone go with it")
@@ -104,11 +104,11 @@ TEST_CASE("a region whose points are all linked to bones has them as its skin")
     };
     const ReadFile plain = file("");
     REQUIRE(plain.document.rigs.size() == 1);
-    CHECK(plain.document.rigs[0].bones.at(0).turn.keys.size() == 2);
-    REQUIRE(plain.figure().skin);
-    CHECK(plain.figure().skin->points.size() == 3);
-    CHECK(plain.figure().drawing.is_still());
+    CHECK(plain.document.rigs[0].bones.at(0).rotation.keys.size() == 2);
+    REQUIRE(plain.shape().skin);
+    CHECK(plain.shape().skin->points.size() == 3);
+    CHECK(plain.shape().drawing.is_still());
     const ReadFile looped = file(layer("timeloop", parameter("duration", "<time value=\"1s\"/>")));
     CHECK(looped.document.rigs.empty());
-    CHECK_FALSE(looped.figure().drawing.is_still());
+    CHECK_FALSE(looped.shape().drawing.is_still());
 }

@@ -114,8 +114,8 @@ TEST_CASE("the squares of a checker board go on however far its origin is away")
     };
     const ReadFile near_board = board("0");
     const ReadFile far_board = board("-1000000000");
-    const auto& near = near_board.figure().drawing.value().outlines;
-    const auto& far = far_board.figure().drawing.value().outlines;
+    const auto& near = near_board.shape().drawing.value().outlines;
+    const auto& far = far_board.shape().drawing.value().outlines;
     REQUIRE(far.size() == near.size());
     CHECK(far[0].from.x == doctest::Approx(near[0].from.x));
 }

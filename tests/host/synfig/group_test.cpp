@@ -44,7 +44,7 @@ TEST_CASE("layers that move act on all below them, and on nothing above")
     REQUIRE(file.document.nodes.size() == 2);
     CHECK(file.document.nodes[0].transform.x.value() == doctest::Approx(50));
     CHECK(content(file.document.nodes[0]).nodes.size() == 1);
-    CHECK(std::holds_alternative<art::Figure>(file.document.nodes[1].content));
+    CHECK(std::holds_alternative<art::Shape>(file.document.nodes[1].content));
 }
 
 TEST_CASE("deeper layers lie lower")

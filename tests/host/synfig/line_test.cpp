@@ -26,11 +26,11 @@ ReadFile outline(const std::string& first, const std::string& last, const std::s
 TEST_CASE("an outline of one width is a line")
 {
     const ReadFile file = outline("1", "1");
-    REQUIRE(file.figure().line);
-    CHECK_FALSE(file.figure().fill);
-    CHECK(file.figure().line->width.value() == doctest::Approx(10));
-    CHECK(file.figure().line->cap == Cap::round);
-    CHECK_FALSE(file.figure().drawing.value().outlines.at(0).closed);
+    REQUIRE(file.shape().stroke);
+    CHECK_FALSE(file.shape().fill);
+    CHECK(file.shape().stroke->width.value() == doctest::Approx(10));
+    CHECK(file.shape().stroke->cap == Cap::round);
+    CHECK_FALSE(file.shape().drawing.value().outlines.at(0).closed);
 }
 
 TEST_CASE("its ends are flat if both tips are")
@@ -38,15 +38,15 @@ TEST_CASE("its ends are flat if both tips are")
     const std::string flat = "<bool value=\"false\"/>";
     const ReadFile file =
         outline("1", "1", parameter("round_tip[0]", flat) + parameter("round_tip[1]", flat));
-    CHECK(file.figure().line->cap == Cap::butt);
+    CHECK(file.shape().stroke->cap == Cap::butt);
 }
 
 TEST_CASE("an outline whose width varies is the shape that it covers")
 {
     const ReadFile file = outline("0.5", "2");
-    REQUIRE(file.figure().fill);
-    CHECK_FALSE(file.figure().line);
-    const auto& shape = file.figure().drawing.value().outlines.at(0);
+    REQUIRE(file.shape().fill);
+    CHECK_FALSE(file.shape().stroke);
+    const auto& shape = file.shape().drawing.value().outlines.at(0);
     CHECK(shape.closed);
     double min = 100;
     double max = 0;

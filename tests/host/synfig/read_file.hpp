@@ -12,7 +12,7 @@ struct ReadFile {
 
     /// The node that was read last, the topmost.
     const art::Node& node() const { return document.nodes.back(); }
-    const art::Figure& figure() const { return std::get<art::Figure>(node().content); }
+    const art::Shape& shape() const { return std::get<art::Shape>(node().content); }
 };
 
 /// A canvas of 200 x 100 pixels, fifty of them a unit, with 10 frames per second for 2 s; (0, 0) is its

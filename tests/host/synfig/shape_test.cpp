@@ -25,7 +25,7 @@ TEST_CASE("places of a file, y up, become pixels, y down")
 {
     const ReadFile file = read_layers(
         layer("rectangle", parameter("point1", vector("-1", "0.5")) + parameter("point2", vector("1", "0"))));
-    const auto& outline = file.figure().drawing.value().outlines.at(0);
+    const auto& outline = file.shape().drawing.value().outlines.at(0);
     CHECK(outline.from.x == doctest::Approx(50));
     CHECK(outline.from.y == doctest::Approx(25));
     REQUIRE(outline.curves.size() == 3);
@@ -38,7 +38,7 @@ TEST_CASE("tangents are three times the arms of a curve")
     const ReadFile file =
         read_layers(layer("region", parameter("bline", spline(point("-1", "0", vector("0", "0.6")) +
                                                               point("1", "0", vector("0", "-0.6"))))));
-    const auto& outline = file.figure().drawing.value().outlines.at(0);
+    const auto& outline = file.shape().drawing.value().outlines.at(0);
     REQUIRE(outline.curves.size() == 2);
     CHECK(outline.closed);
     CHECK(outline.curves[0].c1.x == doctest::Approx(50));
@@ -52,24 +52,24 @@ TEST_CASE("points without tangents are joined by lines")
     const ReadFile file =
         read_layers(layer("region", parameter("bline", spline(point("-1", "0", none) + point("1", "0", none) +
                                                               point("0", "0.5", none)))));
-    CHECK_FALSE(file.figure().drawing.value().outlines.at(0).curves.at(0).cubic);
+    CHECK_FALSE(file.shape().drawing.value().outlines.at(0).curves.at(0).cubic);
 }
 
 TEST_CASE("colours are those of pictures: files before version 1.2 have linear ones")
 {
     const std::string grey =
         layer("circle", parameter("color", "<color><r>0.5</r><g>0.5</g><b>0.5</b><a>0.25</a></color>"));
-    CHECK(read_text(canvas(grey)).figure().fill->colour.value().red == doctest::Approx(0.5));
-    CHECK(read_text(canvas(grey)).figure().fill->opacity.value() == doctest::Approx(0.25));
+    CHECK(read_text(canvas(grey)).shape().fill->colour.value().red == doctest::Approx(0.5));
+    CHECK(read_text(canvas(grey)).shape().fill->opacity.value() == doctest::Approx(0.25));
     const ReadFile old = read_text(canvas(grey, "version=\"1.0\""));
-    CHECK(old.figure().fill->colour.value().red == doctest::Approx(0.7297).epsilon(0.001));
+    CHECK(old.shape().fill->colour.value().red == doctest::Approx(0.7297).epsilon(0.001));
 }
 
 TEST_CASE("an inverted shape is a hole in all of the canvas")
 {
     const ReadFile file = read_layers(layer("circle", parameter("invert", "<bool value=\"true\"/>")));
-    CHECK(file.figure().drawing.value().outlines.size() == 2);
-    CHECK(file.figure().fill->rule == FillRule::even_odd);
+    CHECK(file.shape().drawing.value().outlines.size() == 2);
+    CHECK(file.shape().fill->rule == FillRule::even_odd);
 }
 
 TEST_CASE("layers that are switched off are not there")
@@ -95,7 +95,7 @@ TEST_CASE("an origin that changes moves the figure, each axis by its own keys")
         "</waypoint><waypoint time=\"2s\" before=\"halt\" after=\"halt\">" + vector("1", "0.5") +
         "</waypoint></animated>";
     const ReadFile file = read_layers(layer("circle", parameter("origin", origin)));
-    CHECK(file.figure().drawing.is_still());
+    CHECK(file.shape().drawing.is_still());
     REQUIRE(file.node().transform.x.keys.size() == 2);
     CHECK(file.node().transform.x.keys[1].value == doctest::Approx(150));
     CHECK(file.node().transform.y.keys[1].value == doctest::Approx(25));

@@ -9,7 +9,7 @@ namespace {
 
 double radius(const ReadFile& file)
 {
-    const auto& outline = file.figure().drawing.value().outlines.at(0);
+    const auto& outline = file.shape().drawing.value().outlines.at(0);
     return (outline.from.x - 100) / 50;
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("a colour is taken out of a gradient")
     const std::string value = "<gradientcolor type=\"color\">" + black_to_red + "<index>" + real("0.25") +
                               "</index><loop><bool value=\"false\"/></loop></gradientcolor>";
     const ReadFile file = read_layers(layer("circle", parameter("color", value)));
-    CHECK(file.figure().fill->colour.value().red == doctest::Approx(0.25));
+    CHECK(file.shape().fill->colour.value().red == doctest::Approx(0.25));
     CHECK(file.losses.empty());
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("values and canvases of other files are told, and not mixed up with ow
     const ReadFile file =
         read_text(canvas("<defs><color id=\"gold\"><r>1</r><g>1</g><b>0</b><a>1</a></color></defs>"
                          "<layer type=\"circle\"><param name=\"color\" use=\"other.sif#:gold\"/></layer>"));
-    CHECK(file.figure().fill->colour.value().red == 0);
+    CHECK(file.shape().fill->colour.value().red == 0);
     REQUIRE(file.losses.list().size() == 1);
     CHECK(file.losses.list()[0].feature == "value \"other.sif#:gold\" of another file");
 }
@@ -66,7 +66,7 @@ TEST_CASE("files of old versions number the parts of composites")
     const auto middle = [](const std::string& value) {
         const ReadFile file = read_layers(
             layer("rectangle", parameter("point1", value) + parameter("point2", vector("0", "0"))));
-        return file.figure().drawing.value().outlines.at(0);
+        return file.shape().drawing.value().outlines.at(0);
     };
     CHECK(middle(origin).curves.at(0).to.x == doctest::Approx(150));
     CHECK(middle(origin).curves.at(1).to.y == doctest::Approx(75));

@@ -39,7 +39,7 @@ void play(BeamPlayer& player, Meter& meter)
         meter.enter(Phase::update);
         player.show(Time::frame(frame));
         meter.enter(Phase::draw);
-        BeamPlot plot = player.plot();
+        PointStream plot = player.plot();
         meter.enter(Phase::elsewhere);
         Crc32 crc;
         std::size_t count = 0;
@@ -59,7 +59,7 @@ void play(BeamPlayer& player, Meter& meter)
         write_field(" lines ", player.report().lines);
         write_field(" corners ", player.report().corners);
         write_field(" compared ", player.report().compared);
-        write_field(" haste ", static_cast<std::uint32_t>(player.report().haste));
+        write_field(" haste ", static_cast<std::uint32_t>(player.report().speed_level));
         write_field(" crc ", crc.value());
         semihosting::write("\n");
     }

@@ -40,9 +40,9 @@ TEST_CASE("corners lie where they are turned to, near and far")
     for (int round = 0; round < 2000; ++round) {
         const auto part = [&random] { return static_cast<double>(random() % 1000) / 1000; };
         const double angle = 2 * std::numbers::pi * part();
-        const double growth = 0.5 + 0.56 * part();
-        const auto factor = [growth](double value) {
-            return static_cast<std::int32_t>(std::lround(value * growth * one));
+        const double scale_factor = 0.5 + 0.56 * part();
+        const auto factor = [scale_factor](double value) {
+            return static_cast<std::int32_t>(std::lround(value * scale_factor * one));
         };
         const std::int32_t xx = factor(std::cos(angle));
         const std::int32_t yx = factor(std::sin(angle));

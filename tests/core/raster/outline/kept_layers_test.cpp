@@ -34,14 +34,14 @@ void add_layer(raster::OutlineStore& store, raster::LayerName name, std::uint16_
 
 const std::vector<raster::Corner> upper = triangle_of({{10, 5}, {40, 5}, {30, 20}});
 const std::vector<raster::Corner> lower = triangle_of({{20, 30}, {60, 47}, {15, 60}});
-constexpr Dependence on_one_way{.keys = 0b1011, .ways = 0b10};
+constexpr Dependence on_one_way{.keys = 0b1011, .tweens = 0b10};
 
 TEST_CASE("layers that stay as they are can be kept, and taken into another picture")
 {
     OwnedOutlines outlines{panel_of_layers};
     raster::OutlineStore& store = outlines.store();
     store.clear();
-    add_layer(store, {7, 0}, 0, upper, {.keys = 0b1, .ways = 0b1});
+    add_layer(store, {7, 0}, 0, upper, {.keys = 0b1, .tweens = 0b1});
     add_layer(store, {7, 1}, 1, lower, on_one_way);
     add_layer(store, {8, 0}, 2, upper, on_one_way);
     const raster::Fingerprint fingerprint = [&] {
@@ -52,7 +52,7 @@ TEST_CASE("layers that stay as they are can be kept, and taken into another pict
         return other.store().end_layer({})->fingerprint;
     }();
 
-    store.keep({.keys = 0b100, .ways = 0b1});
+    store.keep({.keys = 0b100, .tweens = 0b1});
     CHECK(store.keeps_layers());
     CHECK(lines_of(store).empty());
     CHECK(store.reuse({7, 0}, 0) == nullptr); // it does not hold any more

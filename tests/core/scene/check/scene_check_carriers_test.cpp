@@ -20,7 +20,7 @@ scene::Drawing five_points()
 }
 
 /// Drawings and skins as a test needs them, before those of RawScene.
-struct CarriedScene {
+struct DeformedScene {
     RawDrawings drawings;
     int bones = 3;
     Bytes object;
@@ -38,9 +38,9 @@ struct CarriedScene {
 };
 
 /// A filled object with the keys; the carrier is 0 for backbones.
-Bytes carried_object(const Bytes& carrier, const std::vector<RawKey>& keys, int more_bits = 0)
+Bytes deformed_object(const Bytes& deformer, const std::vector<RawKey>& keys, int more_bits = 0)
 {
-    return joined({bytes({0x88 | more_bits, 1}), carrier, key_bytes(keys)});
+    return joined({bytes({0x88 | more_bits, 1}), deformer, key_bytes(keys)});
 }
 
 std::vector<RawKey> bone_key(std::uint32_t drawing, std::uint32_t skin)
@@ -50,9 +50,9 @@ std::vector<RawKey> bone_key(std::uint32_t drawing, std::uint32_t skin)
 
 bool takes_skin(const scene::Drawing& drawing, const Bytes& skin)
 {
-    CarriedScene scene;
+    DeformedScene scene;
     const std::uint32_t at = scene.drawings.add(drawing);
-    scene.object = carried_object(bytes({1}), bone_key(at, scene.drawings.add(skin)));
+    scene.object = deformed_object(bytes({1}), bone_key(at, scene.drawings.add(skin)));
     return scene.is_taken();
 }
 
@@ -62,12 +62,12 @@ bool takes_runs(const std::vector<RawRun>& runs) { return takes_skin(five_points
 /// A drawing with a skin that names `at_rest`.
 bool takes_at_rest(const scene::Drawing& drawing, const scene::Drawing& at_rest)
 {
-    CarriedScene scene;
+    DeformedScene scene;
     const std::uint32_t own = scene.drawings.add(drawing);
     const std::uint32_t rest = scene.drawings.add(at_rest);
     const auto points = static_cast<std::uint32_t>(scene::point_count(drawing));
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{points, {{0}}}}, rest + 1));
-    scene.object = carried_object(bytes({1}), bone_key(own, skin));
+    scene.object = deformed_object(bytes({1}), bone_key(own, skin));
     return scene.is_taken();
 }
 
@@ -97,13 +97,13 @@ struct RawBackboneKey {
 
 bool takes_backbones(int unit_bits, const std::vector<RawBackboneKey>& list)
 {
-    CarriedScene scene;
+    DeformedScene scene;
     std::vector<RawKey> keys;
     keys.reserve(list.size());
     for (const RawBackboneKey& key : list)
         keys.push_back({{key.ticks}, key.laws, scene.drawings.add(key.drawing)});
-    const Bytes carrier = joined({bytes({0, unit_bits}), key_bytes(keys)});
-    scene.object = carried_object(carrier, {{.drawing = scene.drawings.add(five_points())}});
+    const Bytes deformer = joined({bytes({0, unit_bits}), key_bytes(keys)});
+    scene.object = deformed_object(deformer, {{.drawing = scene.drawings.add(five_points())}});
     return scene.is_taken();
 }
 
@@ -179,9 +179,9 @@ TEST_CASE("the drawing at rest is built like the one that it stands for")
 TEST_CASE("a bone may carry all points without a skin")
 {
     for (const int bone : {0, 2, 3, 255}) {
-        CarriedScene scene;
+        DeformedScene scene;
         scene.object =
-            carried_object(bytes({1}), {{.drawing = scene.drawings.add(five_points()), .more = -1 - bone}});
+            deformed_object(bytes({1}), {{.drawing = scene.drawings.add(five_points()), .more = -1 - bone}});
         CHECK(scene.is_taken() == (bone < 3));
     }
 }
@@ -189,37 +189,37 @@ TEST_CASE("a bone may carry all points without a skin")
 TEST_CASE("skins are there, as the skeletons that they bind to")
 {
     const auto takes_number = [](int skeleton) {
-        CarriedScene scene;
+        DeformedScene scene;
         const std::uint32_t drawing = scene.drawings.add(five_points());
         const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
-        scene.object = carried_object(bytes({skeleton}), bone_key(drawing, skin));
+        scene.object = deformed_object(bytes({skeleton}), bone_key(drawing, skin));
         return scene.is_taken();
     };
     CHECK(takes_number(1));
     CHECK_FALSE(takes_number(2));
     CHECK_FALSE(takes_number(255));
-    CarriedScene scene;
+    DeformedScene scene;
     const std::uint32_t drawing = scene.drawings.add(five_points());
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
     for (const std::uint32_t offset : {skin + 100, 0x7FFFFFFFU, 0x80000000U}) {
-        scene.object = carried_object(bytes({1}), bone_key(drawing, offset));
+        scene.object = deformed_object(bytes({1}), bone_key(drawing, offset));
         CHECK_FALSE(scene.is_taken());
     }
-    scene.object = carried_object(bytes({1}), {{.drawing = drawing}}); // no skin
+    scene.object = deformed_object(bytes({1}), {{.drawing = drawing}}); // no skin
     CHECK_FALSE(scene.is_taken());
 }
 
 TEST_CASE("what bones carry has no arrival drawings")
 {
     constexpr int arrivals_bit = 0x40;
-    CarriedScene scene;
+    DeformedScene scene;
     const std::uint32_t drawing = scene.drawings.add(five_points());
     const std::uint32_t skin = scene.drawings.add(skin_bytes({{5, {{0}}}}));
     const Bytes key = joined({bytes({0}), repeated(signed_varint(static_cast<std::int32_t>(drawing)), 2),
                               signed_varint(static_cast<std::int32_t>(skin))});
     scene.object = joined({bytes({0x88 | arrivals_bit, 1, 1}), key});
     CHECK_FALSE(scene.is_taken());
-    scene.object = carried_object(bytes({1}), bone_key(drawing, skin));
+    scene.object = deformed_object(bytes({1}), bone_key(drawing, skin));
     CHECK(scene.is_taken());
 }
 
@@ -270,9 +270,9 @@ TEST_CASE("keys of backbones rise in time, have known laws and drawings that are
     CHECK(takes_backbones(9, {{kfb::max_time, 0, form}}));
     CHECK_FALSE(takes_backbones(9, {{kfb::max_time + 1024, 0, form}}));
     const auto takes_keys = [&form](const Bytes& keys) {
-        CarriedScene scene;
+        DeformedScene scene;
         scene.drawings.add(form);
-        scene.object = carried_object(joined({bytes({0, 9}), keys}), {{}});
+        scene.object = deformed_object(joined({bytes({0, 9}), keys}), {{}});
         return scene.is_taken();
     };
     CHECK(takes_keys(bytes({0, 0})));
@@ -299,7 +299,7 @@ TEST_CASE("a scene says how many bones it has, and how many nodes and gaps any o
     const std::uint32_t small = drawings.add(backbones_of({2}));
     const std::uint32_t large = drawings.add(backbones_of({4, 3}));
     const auto object = [](std::uint32_t backbones) {
-        return carried_object(joined({bytes({0, 9}), key_bytes({{.drawing = backbones}})}), {{}});
+        return deformed_object(joined({bytes({0, 9}), key_bytes({{.drawing = backbones}})}), {{}});
     };
     raw.drawings = drawings.bytes();
     raw.items = joined({object(small), object(large), object(small)});
@@ -319,7 +319,7 @@ TEST_CASE("there is an end to the skins that are read, one like that before asid
     // 1023 points on a stroke that does not move
     const Bytes row = joined({bytes({1, 0, 0, 0, 1, 0xFC, 0x0F}), Bytes(256)});
     const auto takes_keys = [&row](int count, bool are_different) {
-        CarriedScene scene;
+        DeformedScene scene;
         const std::uint32_t drawing = scene.drawings.add(row);
         const std::uint32_t first = scene.drawings.add(skin_bytes({{1023, {{0}}}}));
         const std::uint32_t second = scene.drawings.add(skin_bytes({{1023, {{1}}}}));
@@ -329,7 +329,7 @@ TEST_CASE("there is an end to the skins that are read, one like that before asid
             keys.push_back({.time = Time{i},
                             .drawing = drawing,
                             .more = static_cast<std::int32_t>(are_different && i % 2 != 0 ? second : first)});
-        scene.object = carried_object(bytes({1}), keys);
+        scene.object = deformed_object(bytes({1}), keys);
         return scene.is_taken();
     };
     CHECK(takes_keys(250, true)); // 250 * (1 + 1023) = 256000
@@ -343,12 +343,12 @@ TEST_CASE("there is an end to the drawings of backbones that are read")
     const Bytes lines = joined({bytes({0, 0, 0, 1, 0xFC, 0x01}), Bytes(32)});
     const Bytes rows = joined({bytes({3}), repeated(lines, 3)});
     const auto takes_keys_of = [&rows](std::size_t count) {
-        CarriedScene scene;
+        DeformedScene scene;
         scene.drawings.add(rows);
         std::vector<RawKey> backbones(count);
         for (std::size_t i = 0; i < count; ++i)
             backbones[i].time.ticks = static_cast<std::int32_t>(i);
-        scene.object = carried_object(joined({bytes({0, 4}), key_bytes(backbones)}), {{}});
+        scene.object = deformed_object(joined({bytes({0, 4}), key_bytes(backbones)}), {{}});
         return scene.is_taken();
     };
     CHECK(takes_keys_of(670)); // 670 * (3 * 127 + 1) = 255940

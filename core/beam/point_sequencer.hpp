@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/beam/beam_lines.hpp"
+#include "core/beam/beam_route.hpp"
+#include "core/beam/leg_corners.hpp"
+#include "core/beam/line_interpolator.hpp"
+#include "core/beam/step_profile.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kfast {
+
+/// The way of a beam along a route and back to its beginning, as one *run* of points after another: the beam
+/// rests at a place, or goes along a line at even steps.
+///
+/// Where there are no legs, it is parked, blanked, for one point.
+///
+/// A leg begins where the one before ends, and the first one where the last one ends: the beam waits, travels
+/// and waits, blanked, then follows the line. If the line begins where the one before has ended, there is
+/// only a corner between them.
+class PointSequencer {
+public:
+    /// `lines`, `legs` and the gait's profile must outlive it. For `pause` points the beam rests, blanked,
+    /// before it begins.
+    PointSequencer(const BeamLines& lines, std::span<const BeamLeg> legs, const StepProfile& step_profile,
+                   std::uint32_t pause);
+
+    /// Goes to the next run, whatever is left of this one. Whether there is one; it has at least one point.
+    bool next_run();
+    /// Points of the run that next() has not told.
+    std::uint32_t left() const { return left_; }
+    bool is_lit() const { return is_lit_; }
+    /// Of the line that the run is of.
+    Colour colour() const { return line_.colour(); }
+    /// What the beam goes along in the run; 0 where it rests.
+    std::uint32_t length() const { return length_; }
+
+    /// The place of the next point of the run.
+    FieldPoint next();
+    /// From the beginning again.
+    void restart();
+
+private:
+    enum class Phase : std::uint8_t { leave, travel, arrive, start, line, corner };
+
+    void begin_phase();
+    void begin_leg();
+    void begin_travel();
+    void begin_line();
+    void rest(FieldPoint at, std::uint32_t points, bool is_lit);
+    void go(FieldPoint to, std::uint32_t length, std::uint32_t step, bool is_lit);
+    std::uint32_t find_end();
+    void set_out();
+    void enter_piece_at(std::uint32_t distance);
+    std::uint32_t start_points() const;
+    std::uint32_t corner_points() const;
+    bool is_joined(std::size_t leg) const;
+    std::size_t before(std::size_t leg) const { return (leg == 0 ? legs_.size() : leg) - 1; }
+    LegCorners corners(std::size_t leg) const { return {*lines_, legs_[leg]}; }
+
+    const BeamLines* lines_;
+    std::span<const BeamLeg> legs_;
+    StepProfile step_profile_;
+    std::uint32_t pause_;
+
+    std::size_t leg_ = 0; ///< behind the last one, the route is done
+    Phase phase_ = Phase::leave;
+    LegCorners line_; ///< of the leg
+    std::uint32_t lit_step_ = 1;
+    FieldPoint came_from_;           ///< where the leg before has ended
+    bool is_joined_ = false;         ///< the line begins there
+    std::uint32_t corner_ = 0;       ///< of the line, where the next run begins
+    std::uint32_t corner_dwell_ = 0; ///< there
+
+    // The run.
+    std::uint32_t left_ = 0;
+    std::uint32_t length_ = 0;
+    bool is_lit_ = false;
+    bool rests_ = true;
+    FieldPoint end_;
+    bool has_set_out_ = false; ///< what follows is known
+    BeamSteps steps_;
+    LineInterpolator piece_;        ///< where it has come to
+    std::uint32_t piece_begin_ = 0; ///< from the beginning of the run
+    std::uint32_t piece_length_ = 0;
+    std::uint32_t piece_corner_ = 0; ///< of the line, where the piece ends
+};
+
+}
