@@ -50,15 +50,15 @@ constexpr bool is_known(Status) { return true; }
 constexpr Status status_of(Error error) { return static_cast<Status>(error); }
 
 /// A status, and the number that it is told with.
-struct Verdict {
+struct StatusWithNumber {
     Status status = Status::ok;
     std::uint32_t number = 0;
 
-    constexpr Verdict() = default;
-    constexpr Verdict(Status code, std::uint32_t with = 0) : status{code}, number{with} {}
+    constexpr StatusWithNumber() = default;
+    constexpr StatusWithNumber(Status code, std::uint32_t with = 0) : status{code}, number{with} {}
 
     constexpr bool is_ok() const { return status == Status::ok; }
-    friend constexpr bool operator==(const Verdict&, const Verdict&) = default;
+    friend constexpr bool operator==(const StatusWithNumber&, const StatusWithNumber&) = default;
 };
 
 /// The longest text of a status.

@@ -158,7 +158,8 @@ kfast_error create_in(const Room& room, std::span<const std::byte> scene, Size p
 }
 
 /// Whether there was room for all of it.
-bool tell(kfast::InputDrawing drawing, const kfast_point* points, std::span<const std::uint16_t> strokes)
+bool set_strokes(kfast::InputDrawing drawing, const kfast_point* points,
+                 std::span<const std::uint16_t> strokes)
 {
     drawing.begin();
     for (const std::uint16_t count : strokes) {
@@ -263,7 +264,7 @@ kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfas
     const auto drawing = player->playback.change().drawing(name);
     if (!drawing)
         return KFAST_NO_SUCH_INPUT;
-    if (!tell(*drawing, points, {stroke_points, strokes}))
+    if (!set_strokes(*drawing, points, {stroke_points, strokes}))
         return KFAST_DRAWING_TOO_LARGE;
     player->playback.change().show_next_drawing(name);
     return KFAST_OK;

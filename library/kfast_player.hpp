@@ -85,7 +85,7 @@ public:
     template <class EventPassed>
     bool update(uint32_t milliseconds, EventPassed event_passed)
     {
-        return kfast_update(player_, milliseconds, tell_event<EventPassed>, &event_passed) != 0;
+        return kfast_update(player_, milliseconds, on_event<EventPassed>, &event_passed) != 0;
     }
 
     /// Sets an input to `value` in 1/1000 of what the scene counts it in: 500 is 0.5. False: there is none.
@@ -137,7 +137,7 @@ private:
     }
 
     template <class EventPassed>
-    static void tell_event(const char* name, size_t bytes, void* event_passed)
+    static void on_event(const char* name, size_t bytes, void* event_passed)
     {
         const KfastEvent event = {name, bytes};
         (*static_cast<EventPassed*>(event_passed))(event);

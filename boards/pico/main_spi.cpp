@@ -1,6 +1,6 @@
+#include "boards/pico/app/app.hpp"
 #include "boards/pico/panel/panel_display.hpp"
 #include "boards/pico/panel/spi_bus.hpp"
-#include "boards/pico/stage/gadget.hpp"
 #include "firmware/settings/image_mark.hpp"
 
 [[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::spi};
@@ -8,5 +8,5 @@
 int main()
 {
     using namespace kfast;
-    pico::Gadget<pico::PanelDisplay<pico::SpiBus>, mark.bus>{}.live();
+    pico::App<pico::PanelDisplay<pico::SpiBus>, mark.bus>{}.run();
 }

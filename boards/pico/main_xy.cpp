@@ -1,5 +1,5 @@
+#include "boards/pico/app/app.hpp"
 #include "boards/pico/beam/beam_display.hpp"
-#include "boards/pico/stage/gadget.hpp"
 #include "firmware/settings/image_mark.hpp"
 
 [[gnu::section(".image_mark"), gnu::used]] constexpr kfast::ImageMark mark{kfast::BusKind::dac};
@@ -7,5 +7,5 @@
 int main()
 {
     using namespace kfast;
-    pico::Gadget<pico::BeamDisplay, mark.bus>{}.live();
+    pico::App<pico::BeamDisplay, mark.bus>{}.run();
 }

@@ -1,9 +1,9 @@
 // The vectors and what runs before main(). Until the code is in RAM nothing may be called, so this is
 // compiled with -fno-tree-loop-distribute-patterns: loops stay loops.
 
+#include "boards/pico/app/log.hpp"
 #include "boards/pico/chip/interrupts.hpp"
 #include "boards/pico/chip/led.hpp"
-#include "boards/pico/stage/log.hpp"
 
 #include <array>
 #include <cstddef>

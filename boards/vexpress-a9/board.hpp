@@ -23,7 +23,7 @@ public:
     std::span<std::byte> block();
     std::array<std::span<std::byte>, 2> bands();
 
-    void scene_started(const SceneView& scene) { tell_scene(scene_bytes().first(scene.size())); }
+    void scene_started(const SceneView& scene) { report_scene(scene_bytes().first(scene.size())); }
 
 private:
     Framebuffer panel_;

@@ -27,7 +27,7 @@ extern std::uint32_t bss_end[];
 
 /// Names the mode that the exception has led to (23: memory that cannot be read, written or run, 27: no
 /// instruction) and stops.
-[[noreturn, gnu::used]] void tell_fault()
+[[noreturn, gnu::used]] void report_fault()
 {
     using namespace kfast;
     std::uint32_t status = 0;

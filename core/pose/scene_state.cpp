@@ -56,7 +56,7 @@ static_assert(alignof(PosedBone) <= 4 && alignof(BackboneNode) <= 4);
 
 const Dependence& SceneState::move_to(Time time)
 {
-    on_panel_.prepared.move_to(scene(), {time, inputs_}, std::exchange(told_, 0));
+    on_panel_.prepared.move_to(scene(), {time, inputs_}, std::exchange(changed_inputs_, 0));
     return on_panel_.prepared.moved();
 }
 
@@ -81,7 +81,7 @@ void SceneState::set_input(std::uint32_t number, Time place)
 void SceneState::set_text(std::uint32_t number, std::string_view text)
 {
     if (on_panel_.texts.put(scene(), number, text))
-        note_told(number);
+        mark_input_changed(number);
 }
 
 bool SceneState::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
@@ -102,9 +102,9 @@ bool SceneState::set_drawing(std::uint32_t number, std::span<const InputStroke> 
 void SceneState::show_next_drawing(std::uint32_t number)
 {
     if (drawing(number).show())
-        note_told(number);
+        mark_input_changed(number);
 }
 
-void SceneState::note_told(std::uint32_t number) { told_ |= bit_of_input(number); }
+void SceneState::mark_input_changed(std::uint32_t number) { changed_inputs_ |= bit_of_input(number); }
 
 }

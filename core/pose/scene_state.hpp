@@ -57,11 +57,11 @@ protected:
     SceneTime pose(Time time);
 
 private:
-    void note_told(std::uint32_t number);
+    void mark_input_changed(std::uint32_t number);
 
     SceneOnPanel on_panel_;
-    std::span<Time> inputs_; ///< where each of them stands
-    std::uint32_t told_ = 0; ///< a bit for each input that was told something new
+    std::span<Time> inputs_;           ///< where each of them stands
+    std::uint32_t changed_inputs_ = 0; ///< a bit for each input that was told something new
 };
 
 }

@@ -50,7 +50,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory
     root_ = static_cast<std::uint16_t>(preparer.root());
 }
 
-void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t told)
+void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs)
 {
     moved_ = {};
     std::uint32_t number = 0;
@@ -62,8 +62,8 @@ void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std
     }
     if (moved_.keys != 0)
         take_keys(scene);
-    for (std::uint32_t input = 0; told != 0; ++input, told >>= 1)
-        if ((told & 1) != 0)
+    for (std::uint32_t input = 0; changed_inputs != 0; ++input, changed_inputs >>= 1)
+        if ((changed_inputs & 1) != 0)
             moved_ = moved_ | dependence_of_input(input);
 }
 

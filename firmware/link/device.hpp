@@ -27,7 +27,7 @@ struct DeviceFacts {
 };
 
 /// A scene that was found whole (SceneView::parse), and what of it is to be played.
-struct Programme {
+struct SceneSelection {
     std::span<const std::byte> scene{}; ///< as long as it plays, its bytes stay as they are
     Home home = Home::built_in;         ///< one of the first three
     std::uint8_t slot = no_slot;
@@ -39,7 +39,7 @@ struct Programme {
 
 /// What the link asks of a device. All of it returns soon: what takes time begins.
 template <class D>
-concept Device = requires(D& device, const D& same, const Programme& programme, const SceneView& scene,
+concept Device = requires(D& device, const D& same, const SceneSelection& selection, const SceneView& scene,
                           const DrawingPart& part, std::string_view text, std::uint32_t size, Time time,
                           std::int32_t speed, std::uint8_t number, Microseconds now) {
     { same.facts() } -> std::same_as<DeviceFacts>;
@@ -56,16 +56,16 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
 
     /// From the beginning, as authored, not paused; `scene` is that of the programme. Fails with block_too_small or
     /// unsupported, and then what played plays on.
-    { device.play(programme, scene) } -> std::same_as<Status>;
+    { device.play(selection, scene) } -> std::same_as<Status>;
     /// Nothing plays, and the display says so.
     { device.play_nothing() } -> std::same_as<void>;
     /// Memory of `size` bytes for a scene, 1 … ram_bytes, of which nothing is played. None if what plays has to give
     /// way first: it does so soon, and this is to be called again. The memory is lent until the next call.
-    { device.lend_ram(size) } -> std::same_as<std::span<std::byte>>;
-    /// What lend_ram() has given; none once it is needed for something else.
-    { same.lent_ram() } -> std::same_as<std::span<std::byte>>;
+    { device.lease_ram(size) } -> std::same_as<std::span<std::byte>>;
+    /// What lease_ram() has given; none once it is needed for something else.
+    { same.leased_ram() } -> std::same_as<std::span<std::byte>>;
     /// No scene comes into what is lent: what gave way plays again, if it can.
-    { device.end_loan() } -> std::same_as<void>;
+    { device.end_lease() } -> std::same_as<void>;
     /// Whether nothing plays because what gave way cannot play again.
     { same.is_idle() } -> std::same_as<bool>;
     { device.pause() } -> std::same_as<void>;
@@ -87,7 +87,7 @@ concept Device = requires(D& device, const D& same, const Programme& programme, 
     /// UTF-8. `number` is one of playing().inputs. Fails with no_text where the input is none, and nothing_plays.
     { device.set_text(std::uint32_t{number}, text) } -> std::same_as<Status>;
     /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (received_drawing.hpp).
-    { device.tell(part) } -> std::same_as<Status>;
+    { device.deliver(part) } -> std::same_as<Status>;
     /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
     { device.enter_boot_loader(now) } -> std::same_as<Status>;
 };

@@ -9,7 +9,7 @@
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/outcome.hpp"
-#include "firmware/link/repertoire.hpp"
+#include "firmware/link/scene_library.hpp"
 #include "firmware/link/silence_watch.hpp"
 #include "firmware/link/upload.hpp"
 #include "firmware/link/upload_message.hpp"
@@ -35,7 +35,7 @@ class Link {
 public:
     /// Both must outlive the link. Nobody else begins uploads to `slots`.
     Link(D& device, SlotStore<F>& slots)
-        : device_{device}, slots_{slots}, upload_{device, slots}, repertoire_{device, slots, upload_}
+        : device_{device}, slots_{slots}, upload_{device, slots}, scene_library_{device, slots, upload_}
     {
     }
 
@@ -65,7 +65,7 @@ public:
     void pass(Microseconds now)
     {
         if (const auto tag = upload_.drop_overdue(now))
-            tell(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
+            queue_report(report_of(failure(code_of<Data>(), Status::timed_out), *tag));
         upload_.drop_unplayed(now);
         if (const auto request = std::exchange(waiting_, std::nullopt))
             take_request(*request, now);
@@ -74,7 +74,7 @@ public:
             carry_out(*action);
         }
         if (device_.is_idle())
-            repertoire_.return_to_start();
+            scene_library_.return_to_start();
     }
 
     /// The computer is gone, perhaps for a while.
@@ -91,12 +91,12 @@ public:
         lose_computer();
         upload_.abandon();
         if (std::exchange(waiting_, std::nullopt))
-            device_.end_loan();
+            device_.end_lease();
         answers_ = {};
     }
 
     /// What plays when the device starts plays (Repertoire).
-    Verdict play_start() { return repertoire_.play_start(); }
+    StatusWithNumber play_start() { return scene_library_.play_start(); }
 
     /// Whether there is something to fetch.
     bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
@@ -116,7 +116,7 @@ private:
     /// Whoever chooses tag 0 wants to hear of failures alone.
     static bool wants_answer(const Report& report) { return report.tag() != 0; }
 
-    void tell(const Report& report)
+    void queue_report(const Report& report)
     {
         if (answers_.is_full())
             ++errors_;
@@ -125,14 +125,14 @@ private:
     }
 
     /// Of what could not be understood.
-    void refuse(const Report& report, Verdict verdict)
+    void refuse(const Report& report, StatusWithNumber result)
     {
         ++errors_;
-        fail(report, verdict);
+        fail(report, result);
     }
-    void fail(const Report& report, Verdict verdict)
+    void fail(const Report& report, StatusWithNumber result)
     {
-        tell(report_of(failure(report.kind(), verdict), report.tag()));
+        queue_report(report_of(failure(report.kind(), result), report.tag()));
     }
 
     void take_request(const Report& report, Microseconds now)
@@ -204,10 +204,10 @@ private:
         const auto outcome = carry_out(*message, {report.tag(), now});
         if (outcome.is_put_off)
             waiting_ = report;
-        else if (!outcome.verdict.is_ok())
-            fail(report, outcome.verdict);
+        else if (!outcome.result.is_ok())
+            fail(report, outcome.result);
         else if (wants_answer(report))
-            tell(report_of(outcome.answer, report.tag()));
+            queue_report(report_of(outcome.answer, report.tag()));
     }
 
     void take_data(const Report& report, Microseconds now)
@@ -216,7 +216,7 @@ private:
         if (status == Status::ok)
             return;
         ++errors_;
-        if (upload_.tells_stray())
+        if (upload_.reports_stray())
             fail(report, status);
     }
 
@@ -241,18 +241,18 @@ private:
     }
 
     /// no_such_input, or ok.
-    Verdict look_for_input(std::uint32_t number) const
+    StatusWithNumber look_for_input(std::uint32_t number) const
     {
         const std::uint8_t known = device_.playing().inputs;
-        return number < known ? Verdict{} : Verdict{Status::no_such_input, known};
+        return number < known ? StatusWithNumber{} : StatusWithNumber{Status::no_such_input, known};
     }
 
     Outcome<InputState> carry_out(const AskInput& which, Asked)
     {
         if (!device_.playing().is_playing)
             return Status::nothing_plays;
-        if (const Verdict verdict = look_for_input(which.input); !verdict.is_ok())
-            return verdict;
+        if (const StatusWithNumber result = look_for_input(which.input); !result.is_ok())
+            return result;
         return device_.input(which.input);
     }
 
@@ -260,13 +260,16 @@ private:
     {
         return upload_.begin(what, asked.tag, asked.now);
     }
-    Deed<Kind::commit> carry_out(const Commit&, Asked asked) { return upload_.commit(asked.tag, asked.now); }
-    Deed<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
+    Completion<Kind::commit> carry_out(const Commit&, Asked asked)
+    {
+        return upload_.commit(asked.tag, asked.now);
+    }
+    Completion<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
 
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
     {
-        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
-            return verdict;
+        if (const StatusWithNumber result = slot_exists(which.slot); !result.is_ok())
+            return result;
         const SlotEntry& entry = slots_.entry(which.slot);
         return SlotContents{.slot = which.slot,
                             .is_chosen = slots_.chosen() == which.slot,
@@ -274,22 +277,22 @@ private:
                             .crc = entry.crc,
                             .name = entry.name};
     }
-    Deed<Kind::erase> carry_out(const EraseSlot& which, Asked)
+    Completion<Kind::erase> carry_out(const EraseSlot& which, Asked)
     {
-        if (const Verdict verdict = slot_exists(which.slot); !verdict.is_ok())
-            return verdict;
+        if (const StatusWithNumber result = slot_exists(which.slot); !result.is_ok())
+            return result;
         upload_.forget_last();
         return slots_.erase(which.slot);
     }
-    Deed<Kind::choose> carry_out(const ChooseSlot& which, Asked)
+    Completion<Kind::choose> carry_out(const ChooseSlot& which, Asked)
     {
         if (which.slot == no_slot)
             return slots_.choose(std::nullopt);
-        const Verdict verdict = slot_exists(which.slot);
-        return verdict.is_ok() ? Verdict{slots_.choose(which.slot)} : verdict;
+        const StatusWithNumber result = slot_exists(which.slot);
+        return result.is_ok() ? StatusWithNumber{slots_.choose(which.slot)} : result;
     }
 
-    Deed<Kind::play> carry_out(const Play& what, Asked) { return repertoire_.play(what); }
+    Completion<Kind::play> carry_out(const Play& what, Asked) { return scene_library_.play(what); }
 
     void carry_out(SilenceAction action)
     {
@@ -297,90 +300,90 @@ private:
         case SilenceAction::hold:
             return device_.pause();
         case SilenceAction::start:
-            return repertoire_.return_to_start();
+            return scene_library_.return_to_start();
         }
     }
 
-    Deed<Kind::silence> carry_out(const Silence& silence, Asked asked)
+    Completion<Kind::silence> carry_out(const Silence& silence, Asked asked)
     {
         silence_.arm(silence, asked.now);
         return Status::ok;
     }
 
-    Deed<Kind::pause> carry_out(const Pause&, Asked)
+    Completion<Kind::pause> carry_out(const Pause&, Asked)
     {
         device_.pause();
         return Status::ok;
     }
-    Deed<Kind::resume> carry_out(const Resume&, Asked)
+    Completion<Kind::resume> carry_out(const Resume&, Asked)
     {
         device_.resume();
         return Status::ok;
     }
-    Deed<Kind::seek> carry_out(const Seek& where, Asked)
+    Completion<Kind::seek> carry_out(const Seek& where, Asked)
     {
         device_.seek(where.moment);
         return Status::ok;
     }
-    Deed<Kind::speed> carry_out(const Speed& how, Asked)
+    Completion<Kind::speed> carry_out(const Speed& how, Asked)
     {
         if (how.speed < -Playhead::fastest || how.speed > Playhead::fastest)
             return Status::bad_value;
         device_.set_speed(how.speed);
         return Status::ok;
     }
-    Deed<Kind::brightness> carry_out(const Brightness& how, Asked)
+    Completion<Kind::brightness> carry_out(const Brightness& how, Asked)
     {
         return device_.set_brightness(how.brightness);
     }
 
     /// All of them, or none.
-    Deed<Kind::inputs> carry_out(const Inputs& inputs, Asked)
+    Completion<Kind::inputs> carry_out(const Inputs& inputs, Asked)
     {
         if (!inputs.is_valid())
             return Status::bad_value;
         const auto places = std::span{inputs.places}.first(inputs.count);
         for (const InputPlace& each : places)
-            if (const Verdict verdict = look_for_input(each.input); !verdict.is_ok())
-                return verdict;
+            if (const StatusWithNumber result = look_for_input(each.input); !result.is_ok())
+                return result;
         for (const InputPlace& each : places)
             device_.set_input(each.input, each.place);
         return Status::ok;
     }
 
-    Deed<Kind::text> carry_out(const Text& text, Asked)
+    Completion<Kind::text> carry_out(const Text& text, Asked)
     {
         if (text.length > Text::max)
             return Status::bad_value;
-        if (const Verdict verdict = look_for_input(text.input); !verdict.is_ok())
-            return verdict;
+        if (const StatusWithNumber result = look_for_input(text.input); !result.is_ok())
+            return result;
         return device_.set_text(text.input, text.view());
     }
 
-    Deed<Kind::points> carry_out(const Points& points, Asked)
+    Completion<Kind::points> carry_out(const Points& points, Asked)
     {
-        return tell({.which = DrawingNumber::of(points.which),
-                     .part = points.part,
-                     .count = std::nullopt,
-                     .points = points.points});
+        return deliver({.which = DrawingNumber::of(points.which),
+                        .part = points.part,
+                        .count = std::nullopt,
+                        .points = points.points});
     }
-    Deed<Kind::drawing> carry_out(const Drawing& last, Asked)
+    Completion<Kind::drawing> carry_out(const Drawing& last, Asked)
     {
-        return tell({.which = DrawingNumber::of(last.which),
-                     .part = last.part,
-                     .count = last.count,
-                     .points = last.points});
+        return deliver({.which = DrawingNumber::of(last.which),
+                        .part = last.part,
+                        .count = last.count,
+                        .points = last.points});
     }
-    Verdict tell(const DrawingPart& part)
+    StatusWithNumber deliver(const DrawingPart& part)
     {
-        const Verdict verdict = look_for_input(part.which.input);
-        return verdict.is_ok() ? Verdict{device_.tell(part)} : verdict;
+        const StatusWithNumber result = look_for_input(part.which.input);
+        return result.is_ok() ? StatusWithNumber{device_.deliver(part)} : result;
     }
 
-    Deed<Kind::arm> carry_out(const Arm&, Asked) { return device_.arm(); }
-    Deed<Kind::disarm> carry_out(const Disarm&, Asked) { return device_.disarm(); }
+    Completion<Kind::arm> carry_out(const Arm&, Asked) { return device_.arm(); }
+    Completion<Kind::disarm> carry_out(const Disarm&, Asked) { return device_.disarm(); }
 
-    Deed<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)
+    Completion<Kind::boot_loader> carry_out(const EnterBootLoader&, Asked asked)
     {
         return device_.enter_boot_loader(asked.now);
     }
@@ -388,7 +391,7 @@ private:
     D& device_;
     SlotStore<F>& slots_;
     Upload<D, F> upload_;
-    Repertoire<D, F> repertoire_;
+    SceneLibrary<D, F> scene_library_;
     AnswerQueue answers_;
     SilenceWatch silence_;
     std::optional<Report> waiting_; ///< a request that could not be carried out yet

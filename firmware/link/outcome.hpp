@@ -11,17 +11,17 @@ namespace kfast::link {
 /// What comes of a request: its answer, or why there is none.
 template <Answer A>
 struct Outcome {
-    Verdict verdict;
+    StatusWithNumber result;
     A answer{};
     bool is_put_off = false; ///< it is to be asked for once more, soon
 
     constexpr Outcome(const A& given) : answer{given} {}
-    constexpr Outcome(Verdict why) : verdict{why} {}
-    constexpr Outcome(Status status) : verdict{status} {}
+    constexpr Outcome(StatusWithNumber why) : result{why} {}
+    constexpr Outcome(Status status) : result{status} {}
 
     static constexpr Outcome put_off()
     {
-        Outcome outcome{Verdict{}};
+        Outcome outcome{StatusWithNumber{}};
         outcome.is_put_off = true;
         return outcome;
     }
@@ -29,14 +29,14 @@ struct Outcome {
 
 /// Of a request that is answered by nothing but that it was done, or was not.
 template <Kind kind>
-using Deed = Outcome<Done<kind>>;
+using Completion = Outcome<Done<kind>>;
 
-inline Failure failure(std::uint8_t request, Verdict verdict)
+inline Failure failure(std::uint8_t request, StatusWithNumber result)
 {
     return {.request = request,
-            .status = verdict.status,
-            .number = verdict.number,
-            .text = {status_text(verdict.status)}};
+            .status = result.status,
+            .number = result.number,
+            .text = {status_text(result.status)}};
 }
 
 }

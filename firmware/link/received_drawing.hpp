@@ -11,12 +11,12 @@
 namespace kfast::link {
 
 /// How far the next drawing of an input has been told, kept as its mark.
-struct TellingProgress {
+struct DrawingProgress {
     bool has_begun = false;
     std::uint8_t number = 0; ///< DrawingNumber::number
     std::uint16_t parts = 0; ///< that have come
 
-    static constexpr TellingProgress of(std::uint32_t mark)
+    static constexpr DrawingProgress of(std::uint32_t mark)
     {
         return {(mark & 1) != 0, static_cast<std::uint8_t>(mark >> 1 & 7),
                 static_cast<std::uint16_t>(mark >> 4)};
@@ -46,19 +46,19 @@ inline bool add(InputDrawing& drawing, std::span<const InputPoint> points)
 /// next one of its drawing drops what has been told, and the drawing that is shown stays: the last part of
 /// what was dropped fails with drawing_broken. Fails with no_drawing and drawing_large, too. The input of
 /// `part` is one of the scene.
-inline Status tell(SceneState& player, const DrawingPart& part)
+inline Status deliver(SceneState& player, const DrawingPart& part)
 {
     if (player.scene().input(part.which.input).type != InputType::drawing)
         return Status::no_drawing;
     InputDrawing drawing = player.drawing(part.which.input);
-    TellingProgress told = TellingProgress::of(drawing.mark());
-    if (!told.awaits(part)) {
+    DrawingProgress progress = DrawingProgress::of(drawing.mark());
+    if (!progress.awaits(part)) {
         drawing.begin();
         if (part.part != 0)
             return part.count ? Status::drawing_broken : Status::ok;
-        told = {.has_begun = true, .number = part.which.number};
+        progress = {.has_begun = true, .number = part.which.number};
     }
-    const std::size_t before = std::size_t{told.parts} * Points::max;
+    const std::size_t before = std::size_t{progress.parts} * Points::max;
     const bool is_whole = !part.count || (*part.count >= before && *part.count - before <= Drawing::max);
     const bool fits =
         is_whole && add(drawing, part.points.first(part.count ? *part.count - before : Points::max));
@@ -69,8 +69,8 @@ inline Status tell(SceneState& player, const DrawingPart& part)
     if (part.count) {
         player.show_next_drawing(part.which.input);
     } else {
-        ++told.parts;
-        drawing.set_mark(told.mark());
+        ++progress.parts;
+        drawing.set_mark(progress.mark());
     }
     return Status::ok;
 }

@@ -20,10 +20,10 @@ bool Transfer::is_wanted(std::uint16_t block)
     if (block == next_ && next_ != blocks_)
         return true;
     if (block < next_) {
-        tell(); // perhaps what was told has been lost
-    } else if (untimely_++ % told_every == 0) {
+        acknowledge_soon(); // perhaps what was told has been lost
+    } else if (untimely_++ % acknowledge_every == 0) {
         is_missing_ = true;
-        tell();
+        acknowledge_soon();
     }
     return false;
 }
@@ -38,8 +38,8 @@ std::span<const std::byte> Transfer::next_bytes(const Data& data, Microseconds n
     untimely_ = 0;
     is_missing_ = false;
     progressed_ = now;
-    if (++since_told_ == told_every || next_ == blocks_)
-        tell();
+    if (++unacknowledged_ == acknowledge_every || next_ == blocks_)
+        acknowledge_soon();
     return bytes;
 }
 
@@ -47,15 +47,15 @@ void Transfer::end(Status result)
 {
     state_ = State::ended;
     result_ = result;
-    is_told_ = Told::all;
+    acknowledged_ = Acknowledged::all;
 }
 
 std::optional<Acknowledgement> Transfer::next_acknowledgement()
 {
     if (!has_acknowledgement())
         return std::nullopt;
-    is_told_ = Told::all;
-    since_told_ = 0;
+    acknowledged_ = Acknowledged::all;
+    unacknowledged_ = 0;
     return Acknowledgement{.next = next_, .window = window, .is_missing = std::exchange(is_missing_, false)};
 }
 

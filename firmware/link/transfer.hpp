@@ -16,14 +16,14 @@ namespace kfast::link {
 /// A scene on its way to the device: takes its blocks in order and tells the computer how far it has come.
 ///
 /// What comes twice is ignored. If a block is missing, those behind it are ignored as well, and the computer
-/// is told to begin again from there: once when it is seen, and once for every `told_every` blocks that come
-/// nevertheless.
+/// is told to begin again from there: once when it is seen, and once for every `acknowledge_every` blocks
+/// that come nevertheless.
 class Transfer {
 public:
     /// How many blocks may be on the way.
     static constexpr std::uint16_t window = 64;
     /// How many blocks come before the computer is told.
-    static constexpr std::uint16_t told_every = 16;
+    static constexpr std::uint16_t acknowledge_every = 16;
     /// How long the next block may take.
     static constexpr Microseconds patience{3'000'000};
 
@@ -58,7 +58,7 @@ public:
     /// Ends the transfer if all its blocks have come; asked again, it answers the same. Fails with
     /// incomplete, and then it goes on; else with bad_checksum or what the sink says.
     template <Sink S>
-    Verdict commit(S& sink)
+    StatusWithNumber commit(S& sink)
     {
         if (state_ == State::ended)
             return result_;
@@ -71,18 +71,18 @@ public:
     void fail(Status why) { end(why); }
 
     Begun begun() const { return {.next = next_, .window = window}; }
-    bool has_acknowledgement() const { return is_told_ == Told::not_yet; }
+    bool has_acknowledgement() const { return acknowledged_ == Acknowledged::not_yet; }
     /// How far it has come, if the computer is to be told so now.
     std::optional<Acknowledgement> next_acknowledgement();
 
 private:
     enum class State : std::uint8_t { none, under_way, ended };
-    enum class Told : std::uint8_t { all, not_yet };
+    enum class Acknowledged : std::uint8_t { all, not_yet };
 
     bool is_wanted(std::uint16_t block);
     std::span<const std::byte> next_bytes(const Data& data, Microseconds now);
     void end(Status result);
-    void tell() { is_told_ = Told::not_yet; }
+    void acknowledge_soon() { acknowledged_ = Acknowledged::not_yet; }
 
     State state_ = State::none;
     Status result_ = Status::ok; ///< if it has ended
@@ -90,9 +90,9 @@ private:
     Begin what_;
     std::uint16_t blocks_ = 0;
     std::uint16_t next_ = 0;
-    std::uint16_t since_told_ = 0; ///< blocks that were taken
-    std::uint16_t untimely_ = 0;   ///< blocks that came too early since the last one that was taken
-    Told is_told_ = Told::all;
+    std::uint16_t unacknowledged_ = 0; ///< blocks that were taken
+    std::uint16_t untimely_ = 0;       ///< blocks that came too early since the last one that was taken
+    Acknowledged acknowledged_ = Acknowledged::all;
     bool is_missing_ = false; ///< what is to be told next
     Crc32 crc_;
     Microseconds progressed_;

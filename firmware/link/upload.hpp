@@ -30,13 +30,13 @@ public:
             return transfer_.begun();
         const bool leaves_ram = transfer_.is_under_way() && is_for_ram();
         transfer_.forget();
-        is_stray_told_ = false;
-        const Verdict verdict = make_room(what);
-        if (leaves_ram && (what.home != Home::ram || !verdict.is_ok()))
-            device_.end_loan();
-        if (!verdict.is_ok())
-            return verdict;
-        if (what.home == Home::ram && device_.lent_ram().empty())
+        is_stray_reported_ = false;
+        const StatusWithNumber result = make_room(what);
+        if (leaves_ram && (what.home != Home::ram || !result.is_ok()))
+            device_.end_lease();
+        if (!result.is_ok())
+            return result;
+        if (what.home == Home::ram && device_.leased_ram().empty())
             return Outcome<Begun>::put_off();
         transfer_.begin(what, tag, now);
         return transfer_.begun();
@@ -53,24 +53,24 @@ public:
         return Status::ok;
     }
     /// Whether data that belong to no upload are to be told: once until the next one begins.
-    bool tells_stray() { return !std::exchange(is_stray_told_, true); }
+    bool reports_stray() { return !std::exchange(is_stray_reported_, true); }
 
     /// Fails with no_transfer, incomplete, bad_checksum, flash_failed or an error of SceneView::parse, or
     /// with why the upload was dropped.
-    Verdict commit(std::uint8_t tag, Microseconds now)
+    StatusWithNumber commit(std::uint8_t tag, Microseconds now)
     {
         if (!transfer_.belongs(tag))
             return Status::no_transfer;
         if (has_lost_ram())
             fail(Status::no_transfer);
         const bool was_under_way = transfer_.is_under_way();
-        Verdict verdict;
-        with_sink([&](auto& sink) { verdict = transfer_.commit(sink); });
+        StatusWithNumber result;
+        with_sink([&](auto& sink) { result = transfer_.commit(sink); });
         if (is_for_ram() && was_under_way && !transfer_.is_under_way())
-            end_in_ram(verdict.is_ok());
-        if (is_for_ram() && verdict.is_ok() && was_under_way)
+            end_in_ram(result.is_ok());
+        if (is_for_ram() && result.is_ok() && was_under_way)
             committed_ = now;
-        return verdict;
+        return result;
     }
 
     /// Fails with no_transfer. What was committed stays in its slot; in RAM it stays only if it plays.
@@ -93,7 +93,7 @@ public:
         else if (is_for_ram() && !device_.playing().is_playing)
             end_in_ram(false);
         transfer_.forget();
-        is_stray_told_ = false;
+        is_stray_reported_ = false;
     }
 
     /// What came last may not be where it was put any more.
@@ -125,7 +125,7 @@ public:
     /// The whole scene that lies in RAM, if there is one.
     std::span<const std::byte> ram_scene() const
     {
-        return device_.lent_ram().empty() ? std::span<const std::byte>{} : ram_scene_;
+        return device_.leased_ram().empty() ? std::span<const std::byte>{} : ram_scene_;
     }
 
     bool has_acknowledgement() const { return transfer_.has_acknowledgement(); }
@@ -140,7 +140,7 @@ private:
     bool is_for_ram() const { return transfer_.what().home == Home::ram; }
 
     /// What it is, or was, written to is needed for something else.
-    bool is_out_of_ram() const { return is_for_ram() && device_.lent_ram().empty(); }
+    bool is_out_of_ram() const { return is_for_ram() && device_.leased_ram().empty(); }
     bool has_lost_ram() const { return transfer_.is_under_way() && is_out_of_ram(); }
 
     void fail(Status why)
@@ -154,7 +154,7 @@ private:
         if (is_whole)
             ram_scene_ = ram_.bytes();
         else
-            device_.end_loan();
+            device_.end_lease();
     }
 
     template <class Do>
@@ -166,7 +166,7 @@ private:
             with(slots_);
     }
 
-    Verdict make_room(const Begin& what)
+    StatusWithNumber make_room(const Begin& what)
     {
         if (what.size == 0 || blocks_of(what.size) > max_blocks)
             return Status::bad_value;
@@ -185,13 +185,13 @@ private:
         return Status::bad_value;
     }
 
-    Verdict make_room_in_ram(std::uint32_t size)
+    StatusWithNumber make_room_in_ram(std::uint32_t size)
     {
         if (const std::uint32_t max = device_.facts().ram_bytes; size > max)
             return {Status::too_large, max};
         ram_scene_ = {};
         committed_.reset();
-        ram_ = RamSink{device_.lend_ram(size)};
+        ram_ = RamSink{device_.lease_ram(size)};
         return {};
     }
 
@@ -201,7 +201,7 @@ private:
     RamSink ram_;
     std::span<const std::byte> ram_scene_;
     std::optional<Microseconds> committed_; ///< when it came into RAM, as long as it may not have been played
-    bool is_stray_told_ = false;
+    bool is_stray_reported_ = false;
 };
 
 }

@@ -152,7 +152,7 @@ concept ListeningBoard = Board<B> && requires(B& board) {
     { board.listen() } -> std::same_as<void>;
 };
 
-/// A board on which what plays may change: one scene is run after another, and the display begun once (run_stage()).
+/// A board on which what plays may change: one scene is run after another, and the display begun once (run_scenes()).
 template <class B>
 concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
     /// Before running() is asked for it. False if there is nothing to draw: a panel shows what it shows, a beam

@@ -152,7 +152,7 @@ void run(B& board)
 /// Begins the display, and runs whatever the board has to play, one after another, as long as it wants to
 /// run.
 template <ChangingBoard B>
-void run_stage(B& board)
+void run_scenes(B& board)
 {
     constexpr Microseconds nap{100'000};
     begin_display(board);

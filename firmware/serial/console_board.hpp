@@ -44,7 +44,7 @@ concept BoardClock = requires(T& clock, const T& running, Microseconds moment) {
 ///
 /// The picture is what the panel shows, of size `glass`, put together from what was sent to it; the bytes
 /// count the commands of windows as well. What remains to a board is panel(), block(), bands(), scene_bytes()
-/// and scene_started(), which calls tell_scene().
+/// and scene_started(), which calls report_scene().
 template <Console C, BoardClock T, Panel P, Size glass>
 class ConsoleBoard {
 public:
@@ -84,7 +84,7 @@ public:
 
     bool wants_redraw() { return std::exchange(wants_redraw_, false); }
 
-    void event_passed(const EventView& event) { tell("EVENT ", event.name); }
+    void event_passed(const EventView& event) { write_line("EVENT ", event.name); }
 
     void frame_shown(FrameReport report)
     {
@@ -100,7 +100,7 @@ public:
 
     void fault(Error error)
     {
-        tell("ERROR ", error_text(error));
+        write_line("ERROR ", error_text(error));
         mode_ = Mode::ended;
     }
 
@@ -114,16 +114,16 @@ protected:
         clock_.begin();
         write_text(console_, "KFAST ");
         write_text(console_, version);
-        tell(" ", name);
+        write_line(" ", name);
     }
 
     /// `bytes` are those of the scene and no others.
-    void tell_scene(std::span<const std::byte> bytes) { write_scene_line(console_, bytes); }
+    void report_scene(std::span<const std::byte> bytes) { write_scene_line(console_, bytes); }
 
 private:
     enum class Mode { free_running, stepped, ended };
 
-    void tell(std::string_view what, std::string_view text)
+    void write_line(std::string_view what, std::string_view text)
     {
         write_text(console_, what);
         write_text(console_, text);

@@ -64,7 +64,7 @@ public:
 
     /// Fails with no_room. Until the next begin(), bytes go where none of the slots has its own, nor `held`:
     /// what is played, from a slot or from anywhere.
-    Verdict begin(const SlotUpload& upload, std::span<const std::byte> held)
+    StatusWithNumber begin(const SlotUpload& upload, std::span<const std::byte> held)
     {
         upload_ = upload;
         if (holds_already(upload)) {

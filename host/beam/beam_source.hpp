@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_player.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace kfast {
 
 /// Draws a scene for a beam, in memory of its own.
-class BeamSource final : public ToldInputs {
+class BeamSource final : public InputReceiver {
 public:
     static constexpr std::uint32_t any_number = std::numeric_limits<std::uint32_t>::max();
 

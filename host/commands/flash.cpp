@@ -86,14 +86,14 @@ void require_playing(const FlashPlan& plan, const PlayerOutcome& player)
                       ExitStatus::refused};
 }
 
-void tell(const FlashOptions& options, const std::string& text)
+void report(const FlashOptions& options, const std::string& text)
 {
     if (!options.talk.json && !options.talk.quiet)
         std::cout << text << std::flush;
 }
 
-void tell_programs(const FlashOptions& options, const FlashOutcome& outcome,
-                   const std::optional<PlayerOutcome>& player)
+void print_json(const FlashOptions& options, const FlashOutcome& outcome,
+                const std::optional<PlayerOutcome>& player)
 {
     if (options.talk.json)
         std::cout << json_text(flash_json(outcome, player)) << std::flush;
@@ -104,10 +104,10 @@ void see_it_play(const FlashOptions& options, const FlashPlan& plan, FlashJob& j
 {
     std::optional<PlayerOutcome> player;
     const std::optional<Failure> failure = failure_of([&] { player = job.await_player(); });
-    tell_programs(options, outcome, player);
+    print_json(options, outcome, player);
     if (failure)
         throw Failure{*failure};
-    tell(options, player_text(*player));
+    report(options, player_text(*player));
     require_playing(plan, *player);
 }
 
@@ -115,26 +115,26 @@ void flash(const FlashOptions& options)
 {
     const FlashPlan plan{options.plan, config::image_folders()};
     const FlashOrder order = order_of(options);
-    const std::unique_ptr<Workbench> bench = this_workbench();
+    const std::unique_ptr<FlashEnvironment> environment = host_flash_environment();
     std::optional<FlashProgress> progress{shown_progress(options.talk)};
-    const FlashProgressCallback tell_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
-        progress->tell(phase, done, total);
+    const FlashProgressCallback on_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
+        progress->report(phase, done, total);
     };
     const RememberedInterruption interruption;
-    FlashJob job{*bench, plan, order, tell_progress};
+    FlashJob job{*environment, plan, order, on_progress};
     const FlashOutcome outcome = job.run();
     progress.reset();
-    tell(options, flash_text(outcome, order.purpose));
+    report(options, flash_text(outcome, order.purpose));
     if (outcome.restarted && order.purpose == FlashPurpose::write && !options.no_wait)
         see_it_play(options, plan, job, outcome);
     else
-        tell_programs(options, outcome, std::nullopt);
+        print_json(options, outcome, std::nullopt);
 }
 
 void run(const FlashOptions& options)
 {
     if (options.list)
-        print_flash_list(*this_workbench(), options.talk.json ? ListForm::json : ListForm::text);
+        print_flash_list(*host_flash_environment(), options.talk.json ? ListForm::json : ListForm::text);
     else
         flash(options);
 }

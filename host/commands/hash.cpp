@@ -38,7 +38,7 @@ void print_hashes(Source& source, const Timeline& timeline)
     const int count = timeline.frame_count();
     for (int frame = 0; frame < count; ++frame) {
         if (!is_seen)
-            bar.tell(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
+            bar.report(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
         std::cout << line(frame, hash(source.show(timeline.frame_time(frame))));
     }
 }
@@ -50,7 +50,7 @@ void print_hashes(const HashOptions& options)
     if (!options.beam)
         return print_hashes(*open_source(options.picture, scene), timeline);
     BeamSource points{scene.view, *options.beam};
-    tell_inputs(options.picture, scene, points);
+    apply_inputs(options.picture, scene, points);
     print_hashes(points, timeline);
 }
 

@@ -85,7 +85,7 @@ importing::Imported import_file(const ImportOptions& options)
 {
     WorkBar bar{"importing"};
     importing::Options choice = options.choice.options;
-    choice.tell = bar.teller();
+    choice.on_progress = bar.callback();
     if (!options.drawings.empty())
         return import_drawings(options, choice);
     std::string content = read_input(options.file, import_input);

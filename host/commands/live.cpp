@@ -47,7 +47,7 @@ Afterwards read_afterwards(const std::string& text)
 
 struct LiveOptions {
     std::string file;
-    LiveManner manner;
+    StreamOptions stream_options;
     double silence = 1; ///< in seconds
     DeviceOptions device;
 };
@@ -138,24 +138,24 @@ void live(const LiveOptions& options)
     OpenDevices devices{options.device};
     const auto inputs = begin(options, devices.all(), scene);
     require_inputs(inputs);
-    LiveManner manner = options.manner;
-    manner.silence = Milliseconds{static_cast<Milliseconds::rep>(options.silence * 1000)};
-    stream_live(devices.all(), inputs, manner);
+    StreamOptions stream_options = options.stream_options;
+    stream_options.silence = Milliseconds{static_cast<Milliseconds::rep>(options.silence * 1000)};
+    stream_live(devices.all(), inputs, stream_options);
     print_playing(devices.all(), options.device);
 }
 
-void declare_manner(CLI::App& app, LiveOptions& options)
+void declare_stream_options(CLI::App& app, LiveOptions& options)
 {
     constexpr double fastest = 1000;
     constexpr double shortest_silence = 0.1;
     constexpr double longest_silence = 60;
     const OptionHeading heading{app, option_group::play};
-    app.add_option("--rate", options.manner.rate, "So many lines a second (default: as they come)")
+    app.add_option("--rate", options.stream_options.rate, "So many lines a second (default: as they come)")
         ->type_name("NUMBER")
         ->check(number_within(0.01, fastest));
     app.add_option_function<std::string>(
            "--on-silence",
-           [&options](const std::string& text) { options.manner.afterwards = read_afterwards(text); },
+           [&options](const std::string& text) { options.stream_options.afterwards = read_afterwards(text); },
            "When no more values come: go-on playing (default), hold the picture, or return to the "
            "scene of the start")
         ->type_name("WHAT");
@@ -170,7 +170,7 @@ void declare_live(CLI::App& app)
     const auto options = std::make_shared<LiveOptions>();
     app.add_option("SCENE", options->file,
                    std::string{loaded_scene} + " to play from RAM (default: what plays)");
-    declare_manner(app, *options);
+    declare_stream_options(app, *options);
     declare_device_options(app, options->device);
     app.callback([options] { live(*options); });
 }

@@ -26,7 +26,7 @@ struct PanelOptions {
     std::optional<std::uint64_t> frames;
 };
 
-class PlayerInputs final : public ToldInputs {
+class PlayerInputs final : public InputReceiver {
 public:
     explicit PlayerInputs(SceneState& player) : player_{player} {}
 
@@ -49,10 +49,10 @@ PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, co
     return {.panel = settings.panel,
             .scene = scene.bytes,
             .timeline = chosen_timeline(options.play, scene.view),
-            .tell_inputs =
+            .apply_inputs =
                 [values, &scene](SceneState& player) {
-                    PlayerInputs told{player};
-                    put_values(values, scene.view, told);
+                    PlayerInputs receiver{player};
+                    put_values(values, scene.view, receiver);
                 },
             .frames = options.frames};
 }

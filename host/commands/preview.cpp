@@ -61,7 +61,7 @@ void preview_headless(const PreviewOptions& options, PreviewOpener& opener,
                       std::unique_ptr<OpenedScene> scene)
 {
     if (!options.script && options.snapshot.empty())
-        return play_headless(*scene->source, scene->programme, std::cout);
+        return play_headless(*scene->source, scene->playback_setup, std::cout);
     Viewer viewer{opener_of(opener), std::move(scene), Viewer::Seconds{0}};
     const auto script = options.script.value_or(std::vector<ScriptStep>{});
     if (options.snapshot.empty())

@@ -37,7 +37,7 @@ void require_vector_options(const RenderOptions& options)
     if (options.picture.screen.beam)
         throw CLI::ValidationError("--beam", "the light of a vector display has no outlines: make a .png or "
                                              "a .gif, or its points with 'kfast export'");
-    if (options.is_format_told)
+    if (options.is_format_given)
         throw CLI::ValidationError("--format", "an SVG has no pixels: leave it out, or make a .png");
     if (options.scale != 1)
         throw CLI::ValidationError("--scale", "an SVG has no pixels: it is sharp in any size; choose --size "
@@ -75,7 +75,7 @@ void render_scene(const RenderOptions& options)
     require_fitting_options(options, kind);
     const SceneFile scene = load_scene(options.file);
     std::optional<WorkBar> bar{"drawing"};
-    const Rendering job{options, scene, chosen_timeline(options.play, scene.view), output, bar->teller()};
+    const Rendering job{options, scene, chosen_timeline(options.play, scene.view), output, bar->callback()};
     const Rendered done = render_subject(job, subject, kind);
     bar.reset();
     print_lack_of_room(done.min_detail);
@@ -133,7 +133,7 @@ void declare_render(CLI::App& app)
     declare_quiet(app, options->quiet);
     const CLI::Option* const format = app.get_option("--format");
     app.callback([options, format] {
-        options->is_format_told = format->count() > 0;
+        options->is_format_given = format->count() > 0;
         render_scene(*options);
     });
 }

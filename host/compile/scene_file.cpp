@@ -94,7 +94,7 @@ SceneFile from_text(const fs::path& path, std::string text, const Reporter& repo
     return scene;
 }
 
-void tell(const fs::path& path, const art::Losses& losses, OnLoss on_loss, std::ostream& out)
+void report_losses(const fs::path& path, const art::Losses& losses, OnLoss on_loss, std::ostream& out)
 {
     if (losses.empty() || on_loss == OnLoss::report)
         return;
@@ -108,7 +108,7 @@ SceneFile from_other_program(const fs::path& path, std::string content, const Im
                              std::ostream& out)
 {
     importing::Imported imported = importing::import_scene(path.string(), std::move(content), choice.options);
-    tell(path, imported.losses, choice.on_loss, out);
+    report_losses(path, imported.losses, choice.on_loss, out);
     SceneFile scene = checked(path, std::move(imported.compiled.bytes));
     scene.was_text = true;
     scene.item_names = std::move(imported.compiled.item_names);

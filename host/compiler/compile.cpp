@@ -19,7 +19,7 @@ std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnost
 }
 
 std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
-                                                const ProgressCallback& tell)
+                                                const ProgressCallback& on_progress)
 {
     const kdl::Document document = kdl::parse(source.text, diagnostics);
     if (diagnostics.has_errors()) // what was not read would only cause errors that follow from these
@@ -33,7 +33,7 @@ std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagno
     warn_of_drifting_arcs(*scene, diagnostics);
     if (scene->has_routes)
         order_strokes(*scene);
-    auto bytes = write_scene(*scene, diagnostics, tell);
+    auto bytes = write_scene(*scene, diagnostics, on_progress);
     if (!bytes)
         return std::nullopt;
     ItemOrigins origins = item_origins(*scene);

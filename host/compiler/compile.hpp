@@ -39,6 +39,6 @@ std::optional<std::vector<std::byte>> compile(const SourceText& source, Diagnost
 
 /// As compile(), with the names of items.
 std::optional<CompiledScene> compile_with_names(const SourceText& source, Diagnostics& diagnostics,
-                                                const ProgressCallback& tell = tell_nobody);
+                                                const ProgressCallback& on_progress = ignore_progress);
 
 }

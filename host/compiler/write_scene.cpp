@@ -37,7 +37,7 @@ void check_laws(const LawTable& laws, Diagnostics& diagnostics)
 }
 
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
-                                                  const ProgressCallback& tell)
+                                                  const ProgressCallback& on_progress)
 {
     LawTable laws;
     DrawingPool drawings;
@@ -81,7 +81,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
     body.block(items.bytes());
     body.append(drawings.bytes());
     std::vector<std::byte> file = sealed(body);
-    const auto needs = outline_needs(file, scene, diagnostics, tell);
+    const auto needs = outline_needs(file, scene, diagnostics, on_progress);
     if (!needs)
         return std::nullopt;
     set_outline_needs(file, *needs);

@@ -13,6 +13,6 @@ namespace kfast {
 /// The bytes of a .kfb (docs/format.md). A scene that exceeds the format's limits on items, points, steps or
 /// outlines is an error at its largest object.
 std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Diagnostics& diagnostics,
-                                                  const ProgressCallback& tell = tell_nobody);
+                                                  const ProgressCallback& on_progress = ignore_progress);
 
 }

@@ -9,7 +9,7 @@
 namespace kfast::config {
 
 /// The ready configuration whose settings an image for this bus takes when flash holds none: what
-/// boards/pico/stage/default_settings.hpp has.
+/// boards/pico/app/default_settings.hpp has.
 inline std::string default_configuration(BusKind bus)
 {
     constexpr std::array names{"pico-st7789", "pico-ssd1306-i2c", "pico-ili9341-parallel", "pico-xy-scope"};

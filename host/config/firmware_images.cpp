@@ -29,10 +29,10 @@ std::string list_of(std::span<const fs::path> folders)
 
 }
 
-std::vector<fs::path> image_folders(const char* told, const std::optional<fs::path>& program)
+std::vector<fs::path> image_folders(const char* given, const std::optional<fs::path>& program)
 {
-    if (told != nullptr && *told != '\0')
-        return {told};
+    if (given != nullptr && *given != '\0')
+        return {given};
     if (!program)
         return {};
     const fs::path above = program->parent_path().parent_path(); // of bin

@@ -13,7 +13,7 @@ namespace kfast::config {
 /// The folders in which images of the Pico may lie, the first one first: the one that `told` names, and no
 /// other then; else `share/kfast/firmware` of the installation, or `build/pico` of the build tree, that the
 /// program belongs to (nothing if its place is not known).
-std::vector<std::filesystem::path> image_folders(const char* told,
+std::vector<std::filesystem::path> image_folders(const char* given,
                                                  const std::optional<std::filesystem::path>& program);
 
 /// Of this program, told by the environment's KFAST_FIRMWARE.

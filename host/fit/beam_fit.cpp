@@ -162,7 +162,7 @@ double refresh(const BeamMoment& picture, const BeamProfile& profile)
 }
 
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
-                 const std::stop_token& stop, const ProgressCallback& tell)
+                 const std::stop_token& stop, const ProgressCallback& on_progress)
 {
     const double cycles = target.cycles != 0 ? target.cycles : costs_of(target.processor).cycles;
     BeamFit fit;
@@ -172,7 +172,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     BeamRun run{scene, target};
     run.visit_all([&](const BeamPicture& picture) {
         go_on(stop);
-        tell(fit.pictures.size(), run.frames_of_all());
+        on_progress(fit.pictures.size(), run.frames_of_all());
         const double count = instructions_of(picture, target);
         fit.pictures.push_back({picture.moment, picture.report, count, count * cycles / target.clock});
         fit.sped_up += picture.report.speed_level != 0 ? 1 : 0;

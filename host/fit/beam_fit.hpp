@@ -51,6 +51,6 @@ double refresh(const BeamMoment& picture, const BeamProfile& profile);
 /// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
 /// Throws FitStopped.
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
-                 const std::stop_token& stop = {}, const ProgressCallback& tell = tell_nobody);
+                 const std::stop_token& stop = {}, const ProgressCallback& on_progress = ignore_progress);
 
 }

@@ -182,7 +182,7 @@ FitReport fit_report(const FitWish& wish)
     FitReport report;
     report.flash = flash_need(wish.scene, wish.target);
     report.ram = ram_need(wish.scene, wish.target);
-    report.speed = measured_speed(wish.scene, wish.target, wish.fit, wish.stop, wish.tell);
+    report.speed = measured_speed(wish.scene, wish.target, wish.fit, wish.stop, wish.on_progress);
     report.link = link_need(wish.scene);
     report.wanted_rate =
         wish.frames_per_second != 0 ? wish.frames_per_second : wish.scene.frame_rate() / 1000.0;

@@ -21,7 +21,7 @@ struct FitWish {
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
     std::stop_token stop = {};    ///< tells when it is not wanted any more
-    ProgressCallback tell = tell_nobody;
+    ProgressCallback on_progress = ignore_progress;
 };
 
 /// Whether a scene fits a board, and how fast it plays there.

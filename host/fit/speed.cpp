@@ -69,13 +69,13 @@ Limits limits_of(const std::vector<FrameCost>& frames, double FrameCost::*second
 }
 
 Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop,
-                     const ProgressCallback& tell)
+                     const ProgressCallback& on_progress)
 {
     Speed speed;
     SpeedMeter meter{target, stop, speed};
     SceneRun run{scene, target, fit};
     const auto take = [&](const FrameOps& frame) {
-        tell(speed.frames.size(), run.frames_of_all());
+        on_progress(speed.frames.size(), run.frames_of_all());
         meter.take(frame);
     };
     const auto take_into = [&](std::vector<double>& seconds) {

@@ -52,6 +52,6 @@ struct Speed {
 
 /// Throws FitStopped.
 Speed measured_speed(const SceneView& scene, const Target& target, Fit fit, const std::stop_token& stop,
-                     const ProgressCallback& tell);
+                     const ProgressCallback& on_progress);
 
 }

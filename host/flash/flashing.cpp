@@ -60,8 +60,8 @@ void write_sector(BootLoader& boot_loader, const Sector& sector)
 class Writing {
 public:
     Writing(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,
-            const FlashProgressCallback& tell)
-        : boot_loader_{boot_loader}, first_{image.sectors().front()}, tell_{tell}
+            const FlashProgressCallback& on_progress)
+        : boot_loader_{boot_loader}, first_{image.sectors().front()}, on_progress_{on_progress}
     {
         for (const std::size_t index : sectors)
             if (index != 0)
@@ -76,14 +76,14 @@ public:
             begin(FlashPhase::writing, done + 1);
             write_sector(boot_loader_, *others_[done]);
         }
-        tell_(FlashPhase::writing, total(), total());
+        on_progress_(FlashPhase::writing, total(), total());
         for (std::size_t done = 0; done < others_.size(); ++done) {
             begin(FlashPhase::verifying, done);
             require_sector(boot_loader_, *others_[done], not_written);
         }
         begin(FlashPhase::verifying, others_.size());
         write_first();
-        tell_(FlashPhase::verifying, total(), total());
+        on_progress_(FlashPhase::verifying, total(), total());
     }
 
 private:
@@ -91,7 +91,7 @@ private:
 
     void begin(FlashPhase phase, std::size_t done)
     {
-        tell_(phase, done, total());
+        on_progress_(phase, done, total());
         heed_interruption();
     }
 
@@ -124,42 +124,42 @@ private:
     BootLoader& boot_loader_;
     const Sector& first_;
     std::vector<const Sector*> others_;
-    const FlashProgressCallback& tell_;
+    const FlashProgressCallback& on_progress_;
 };
 
 }
 
 std::vector<std::size_t> differing_sectors(BootLoader& boot_loader, const FlashImage& image,
-                                           const FlashProgressCallback& tell)
+                                           const FlashProgressCallback& on_progress)
 {
     const auto sectors = image.sectors();
     std::vector<std::size_t> differing;
     for (std::size_t index = 0; index < sectors.size(); ++index) {
-        tell(FlashPhase::comparing, index, sectors.size());
+        on_progress(FlashPhase::comparing, index, sectors.size());
         heed_interruption();
         if (read_sector(boot_loader, sectors[index].address) != sectors[index].bytes)
             differing.push_back(index);
     }
-    tell(FlashPhase::comparing, sectors.size(), sectors.size());
+    on_progress(FlashPhase::comparing, sectors.size(), sectors.size());
     return differing;
 }
 
 void write_sectors(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,
-                   const FlashProgressCallback& tell)
+                   const FlashProgressCallback& on_progress)
 {
     if (!sectors.empty())
-        Writing{boot_loader, image, sectors, tell}.run();
+        Writing{boot_loader, image, sectors, on_progress}.run();
 }
 
-void verify(BootLoader& boot_loader, const FlashImage& image, const FlashProgressCallback& tell)
+void verify(BootLoader& boot_loader, const FlashImage& image, const FlashProgressCallback& on_progress)
 {
     const auto sectors = image.sectors();
     for (std::size_t index = 0; index < sectors.size(); ++index) {
-        tell(FlashPhase::verifying, index, sectors.size());
+        on_progress(FlashPhase::verifying, index, sectors.size());
         heed_interruption();
         require_sector(boot_loader, sectors[index], another);
     }
-    tell(FlashPhase::verifying, sectors.size(), sectors.size());
+    on_progress(FlashPhase::verifying, sectors.size(), sectors.size());
 }
 
 }

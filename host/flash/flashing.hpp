@@ -17,7 +17,7 @@ using FlashProgressCallback = std::function<void(FlashPhase phase, std::size_t d
 /// The sectors of `image`, by their indices, that flash holds differently. Throws what BootLoader throws, and
 /// Interrupted.
 std::vector<std::size_t> differing_sectors(BootLoader& boot_loader, const FlashImage& image,
-                                           const FlashProgressCallback& tell);
+                                           const FlashProgressCallback& on_progress);
 
 /// Writes these sectors of `image` and verifies them; nothing if there are none. The first sector of the
 /// image, which is what makes a board start it, is erased before anything else is touched and written after
@@ -26,9 +26,9 @@ std::vector<std::size_t> differing_sectors(BootLoader& boot_loader, const FlashI
 ///
 /// Throws what BootLoader throws, Failure with not_verified (address, expected, found), and Interrupted.
 void write_sectors(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,
-                   const FlashProgressCallback& tell);
+                   const FlashProgressCallback& on_progress);
 
 /// Throws Failure with not_verified if flash does not hold `image`, and as write_sectors().
-void verify(BootLoader& boot_loader, const FlashImage& image, const FlashProgressCallback& tell);
+void verify(BootLoader& boot_loader, const FlashImage& image, const FlashProgressCallback& on_progress);
 
 }

@@ -152,7 +152,7 @@ void PicobootLoader::restart()
 void PicobootLoader::reset()
 {
     pipe_->clear_halts();
-    pipe_->tell(reset_request, patience);
+    pipe_->control_write(reset_request, patience);
 }
 
 /// Sends it. `bytes` of data follow.
@@ -187,7 +187,7 @@ try {
         pipe_->send(data, patience);
     finish();
 } catch (const UsbStall&) {
-    tell_refusal(command);
+    throw_refusal(command);
 }
 
 void PicobootLoader::fetch(const Command& command, std::span<std::byte> data)
@@ -204,10 +204,10 @@ try {
     }
     pipe_->send({}, patience);
 } catch (const UsbStall&) {
-    tell_refusal(command);
+    throw_refusal(command);
 }
 
-void PicobootLoader::tell_refusal(const Command& command)
+void PicobootLoader::throw_refusal(const Command& command)
 {
     std::array<std::byte, status_bytes> answer{};
     pipe_->ask(status_request, answer, patience);

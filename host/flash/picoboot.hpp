@@ -31,7 +31,7 @@ private:
     void finish();
     void run(const Command& command, std::span<const std::byte> data = {});
     void fetch(const Command& command, std::span<std::byte> data);
-    [[noreturn]] void tell_refusal(const Command& command);
+    [[noreturn]] void throw_refusal(const Command& command);
 
     std::unique_ptr<UsbPipe> pipe_;
     std::uint32_t token_ = 0; ///< of the last command

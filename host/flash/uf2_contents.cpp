@@ -39,8 +39,8 @@ struct Piece {
 
 struct Family {
     Uf2Part part;
-    std::uint32_t next = 0;                  ///< the number that the next block should have
-    std::optional<std::uint32_t> told_count; ///< of its blocks, as they say
+    std::uint32_t next = 0;                      ///< the number that the next block should have
+    std::optional<std::uint32_t> declared_count; ///< of its blocks, as they say
     std::vector<Piece> pieces;
 };
 
@@ -123,10 +123,10 @@ private:
                                                 " where block " + std::to_string(family.next) +
                                                 " should come");
         family.next = block.number + 1;
-        const std::uint32_t before = family.told_count.value_or(block.count);
+        const std::uint32_t before = family.declared_count.value_or(block.count);
         expect(block.count == before, "it says that there are " + std::to_string(block.count) +
                                           " blocks, but those before it said " + std::to_string(before));
-        family.told_count = block.count;
+        family.declared_count = block.count;
     }
 
     bool is_written(std::uint32_t flags, bool is_for_rp2040)
@@ -166,9 +166,9 @@ private:
     void finish(Family& family)
     {
         Uf2Part& part = family.part;
-        const std::uint32_t told = family.told_count.value_or(0);
-        if (told != part.blocks)
-            mistakes_.push_back({part.first_block, "it says that there are " + std::to_string(told) +
+        const std::uint32_t declared = family.declared_count.value_or(0);
+        if (declared != part.blocks)
+            mistakes_.push_back({part.first_block, "it says that there are " + std::to_string(declared) +
                                                        " blocks for its chips, but there are " +
                                                        std::to_string(part.blocks)});
         join(family);

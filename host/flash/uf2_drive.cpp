@@ -201,14 +201,14 @@ Uf2Drive uf2_drive_at(const fs::path& folder)
     return *drive;
 }
 
-void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashProgressCallback& tell)
+void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashProgressCallback& on_progress)
 {
     const auto sectors = image.sectors();
     if (sectors.empty())
         return;
     const std::size_t total = sectors.size() + 1;
     const auto begin = [&](std::size_t done) {
-        tell(FlashPhase::writing, done, total);
+        on_progress(FlashPhase::writing, done, total);
         heed_interruption();
     };
 
@@ -223,7 +223,7 @@ void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashPr
     }
     begin(sectors.size());
     file.write_last(steps.completing(sectors.front()));
-    tell(FlashPhase::writing, total, total);
+    on_progress(FlashPhase::writing, total, total);
 }
 
 }

@@ -28,6 +28,6 @@ Uf2Drive uf2_drive_at(const std::filesystem::path& folder);
 ///
 /// Throws Failure with unplugged, with no_permission or wrong_input if the drive takes no file, and
 /// Interrupted.
-void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashProgressCallback& tell);
+void copy_to_drive(const Uf2Drive& drive, const FlashImage& image, const FlashProgressCallback& on_progress);
 
 }

@@ -151,7 +151,7 @@ public:
                         patience);
     }
 
-    void tell(std::uint8_t request, milliseconds patience) override
+    void control_write(std::uint8_t request, milliseconds patience) override
     {
         control(LIBUSB_ENDPOINT_OUT, request, {}, patience);
     }

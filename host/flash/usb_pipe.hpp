@@ -34,7 +34,7 @@ public:
     virtual std::size_t receive(std::span<std::byte> bytes, std::chrono::milliseconds patience) = 0;
 
     /// Vendor requests to the interface. The second returns how many bytes came.
-    virtual void tell(std::uint8_t request, std::chrono::milliseconds patience) = 0;
+    virtual void control_write(std::uint8_t request, std::chrono::milliseconds patience) = 0;
     virtual std::size_t ask(std::uint8_t request, std::span<std::byte> answer,
                             std::chrono::milliseconds patience) = 0;
 

@@ -135,18 +135,18 @@ constexpr std::size_t steps = 1000;
 constexpr std::size_t steps_to_read = 150;
 constexpr std::size_t steps_to_write = 300;
 
-ProgressCallback told_last(const ProgressCallback& tell)
+ProgressCallback compile_progress(const ProgressCallback& on_progress)
 {
-    return [tell](std::size_t done, std::size_t total) {
-        tell(steps_to_write + (steps - steps_to_write) * done / total, steps);
+    return [on_progress](std::size_t done, std::size_t total) {
+        on_progress(steps_to_write + (steps - steps_to_write) * done / total, steps);
     };
 }
 
-CompiledScene compiled(const std::string& name, const std::string& text, const ProgressCallback& tell)
+CompiledScene compiled(const std::string& name, const std::string& text, const ProgressCallback& on_progress)
 {
     Diagnostics diagnostics;
     const SourceText source{.name = name, .text = text};
-    auto scene = compile_with_names(source, diagnostics, told_last(tell));
+    auto scene = compile_with_names(source, diagnostics, compile_progress(on_progress));
     const std::vector<Diagnostic> found = diagnostics.sorted();
     if (scene && found.empty())
         return std::move(*scene);
@@ -202,15 +202,15 @@ Draft named_draft_of(const art::Document& document, const art::Losses& losses, c
 Imported made_of(const art::Document& document, const std::string& name, const Options& options,
                  const art::Losses& losses)
 {
-    options.tell(steps_to_read, steps);
+    options.on_progress(steps_to_read, steps);
     Draft draft = named_draft_of(document, losses, name, options);
-    options.tell(steps_to_write, steps);
+    options.on_progress(steps_to_write, steps);
     Imported imported;
     imported.text = std::move(draft.written.text);
     if (imported.text.size() > max_scene_text_bytes)
         refuse(name,
                "makes a scene text larger than 4 MB, more than kfast reads: draw less, or raise --tolerance");
-    imported.compiled = compiled(name, imported.text, options.tell);
+    imported.compiled = compiled(name, imported.text, options.on_progress);
     imported.extent = extent_of(draft.document);
     imported.losses = std::move(draft.losses);
     return imported;

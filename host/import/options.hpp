@@ -18,7 +18,7 @@ struct Options {
     std::optional<Colour> background;          ///< opaque, of files that say nothing of theirs
     std::string animation;                     ///< of a dotLottie file; "": the one that it begins with
     svg::KeyOptions drawings;                  ///< how drawings of SVG become keys
-    ProgressCallback tell = tell_nobody;
+    ProgressCallback on_progress = ignore_progress;
 };
 
 }

@@ -46,15 +46,15 @@ public:
     void send(const LiveValues& values)
     {
         for (const link::Inputs& report : reports_of(values.places))
-            session_.tell(report);
+            session_.post(report);
         for (const auto& [input, text] : values.texts)
-            session_.tell(report_of(input, text));
+            session_.post(report_of(input, text));
         for (const auto& [input, drawing] : values.drawings)
             for (const link::Report& report : drawing_reports(drawing, input, numbers_.at(input)++))
                 session_.send(report);
     }
     /// So that the device knows that somebody is there.
-    void send_nothing() { session_.tell(link::Inputs{}); }
+    void send_nothing() { session_.post(link::Inputs{}); }
 
 private:
     Session& session_;
@@ -65,21 +65,21 @@ private:
 
 void send_live(Session& session, LiveFeed& feed, Milliseconds keep_alive)
 {
-    Milliseconds told = session.now();
+    Milliseconds last_sent = session.now();
     LiveSending sending{session};
     while (const auto values = feed.take(std::min(keep_alive, unheeded_at_most))) {
         heed_interruption();
-        const bool is_time = session.now() - told >= keep_alive;
+        const bool is_time = session.now() - last_sent >= keep_alive;
         if (!values->empty())
             sending.send(*values);
         else if (is_time)
             sending.send_nothing();
         if (!values->empty() || is_time)
-            told = session.now();
-        session.tell_failures();
+            last_sent = session.now();
+        session.throw_pending_failure();
     }
     session.ask<link::Playing>(link::AskPlaying{}); // what failed of the last values is told before
-    session.tell_failures();
+    session.throw_pending_failure();
 }
 
 }

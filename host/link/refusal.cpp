@@ -26,10 +26,10 @@ ExitStatus exit_status_of(Status status)
 }
 
 /// What would help; empty if nothing is known.
-std::string hint_of(const link::Failure& told)
+std::string hint_of(const link::Failure& failure)
 {
-    const std::string number = std::to_string(told.number);
-    switch (told.status) {
+    const std::string number = std::to_string(failure.number);
+    switch (failure.status) {
     case Status::no_room:
         return "there is room for " + number + " bytes: erase a slot ('kfast erase'), or shorten the scene";
     case Status::too_large:
@@ -49,7 +49,7 @@ std::string hint_of(const link::Failure& told)
     case Status::timed_out:
         return "try again";
     case Status::no_such_slot:
-        return "they go from 0 to " + std::to_string(told.number == 0 ? 0 : told.number - 1);
+        return "they go from 0 to " + std::to_string(failure.number == 0 ? 0 : failure.number - 1);
     case Status::empty_slot:
         return "'kfast slots' lists what there is";
     case Status::nothing_in_ram:
@@ -70,19 +70,20 @@ std::string hint_of(const link::Failure& told)
     }
 }
 
-std::string in_words(const link::Failure& told)
+std::string in_words(const link::Failure& failure)
 {
-    const std::string text = visible(told.text.view());
+    const std::string text = visible(failure.text.view());
     const std::string said =
-        text.empty() ? "error " + std::to_string(static_cast<unsigned>(told.status)) : text;
-    const std::string hint = hint_of(told);
+        text.empty() ? "error " + std::to_string(static_cast<unsigned>(failure.status)) : text;
+    const std::string hint = hint_of(failure);
     return "the device says: " + said + (hint.empty() ? "" : ": " + hint);
 }
 
 }
 
-Refusal::Refusal(const link::Failure& told)
-    : Failure{in_words(told), exit_status_of(told.status)}, status_{told.status}, number_{told.number}
+Refusal::Refusal(const link::Failure& failure)
+    : Failure{in_words(failure), exit_status_of(failure.status)}, status_{failure.status}, number_{
+                                                                                               failure.number}
 {
 }
 

@@ -8,7 +8,7 @@ namespace kfast {
 /// A device has said that it will not do what it was asked for.
 class Refusal : public Failure {
 public:
-    explicit Refusal(const link::Failure& told);
+    explicit Refusal(const link::Failure& failure);
 
     Status status() const { return status_; }
     /// What belongs to the status.

@@ -50,9 +50,9 @@ std::uint8_t random_tag()
 
 }
 
-RemoteDevice::RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Manner& manner,
+RemoteDevice::RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Options& options,
                            const std::string& name)
-    : pipe_{std::move(pipe)}, session_{*pipe_, manner}
+    : pipe_{std::move(pipe)}, session_{*pipe_, options}
 {
     pass_over_old_reports(*pipe_);
     capabilities_ = hello(session_);

@@ -15,7 +15,7 @@ class RemoteDevice {
 public:
     /// Throws what Session throws, and Failure with wrong_version. `name` is for messages if it has no
     /// serial number.
-    RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Manner& manner, const std::string& name);
+    RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Options& options, const std::string& name);
 
     Session& session() { return session_; }
     /// As it was when it was opened.

@@ -30,11 +30,9 @@ bool is_lost(Status status)
 class SceneUpload {
 public:
     SceneUpload(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                const ByteProgressCallback& tell)
-        : session_{session}, begin_{begin}, scene_{scene}, tell_{tell}, patience_{begin.home ==
-                                                                                          link::Home::slot
-                                                                                      ? patience_with_flash
-                                                                                      : patience_with_ram}
+                const ByteProgressCallback& on_progress)
+        : session_{session}, begin_{begin}, scene_{scene}, on_progress_{on_progress},
+          patience_{begin.home == link::Home::slot ? patience_with_flash : patience_with_ram}
     {
     }
 
@@ -61,7 +59,7 @@ private:
         next_ = heard_;
         furthest_ = std::max(furthest_, heard_);
         progressed_ = session_.now();
-        tell_(std::min<std::size_t>(heard_ * link::block_bytes, scene_.size()));
+        on_progress_(std::min<std::size_t>(heard_ * link::block_bytes, scene_.size()));
     }
 
     /// Until the device has told that it has all of them.
@@ -97,24 +95,24 @@ private:
 
     void take(const link::Report& report)
     {
-        if (const auto told = link::message_of<link::Acknowledgement>(report))
-            hear(*told);
+        if (const auto acknowledgement = link::message_of<link::Acknowledgement>(report))
+            hear(*acknowledgement);
         if (const auto failure = refusal_in(report, link::code_of<link::Data>()))
             throw Refusal{*failure};
     }
 
     /// It may be late, or of blocks that were never sent.
-    void hear(const link::Acknowledgement& told)
+    void hear(const link::Acknowledgement& acknowledgement)
     {
-        if (told.next < heard_ || told.next > furthest_)
+        if (acknowledgement.next < heard_ || acknowledgement.next > furthest_)
             return;
-        window_ = told.window;
-        if (told.next > heard_) {
-            const std::uint32_t next = std::max<std::uint32_t>(next_, told.next);
-            go_on_from(told.next);
+        window_ = acknowledgement.window;
+        if (acknowledgement.next > heard_) {
+            const std::uint32_t next = std::max<std::uint32_t>(next_, acknowledgement.next);
+            go_on_from(acknowledgement.next);
             next_ = next;
         }
-        if (told.is_missing)
+        if (acknowledgement.is_missing)
             next_ = heard_;
     }
 
@@ -135,7 +133,7 @@ private:
     Session& session_;
     link::Begin begin_;
     std::span<const std::byte> scene_;
-    const ByteProgressCallback& tell_;
+    const ByteProgressCallback& on_progress_;
     Milliseconds patience_;
     std::uint8_t tag_ = 0;
     std::uint32_t window_ = 0;
@@ -169,10 +167,10 @@ link::Begin begin_in_ram(std::span<const std::byte> scene)
 }
 
 std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                          const ByteProgressCallback& tell)
+                          const ByteProgressCallback& on_progress)
 {
     for (int attempt = 1;; ++attempt) {
-        SceneUpload upload{session, begin, scene, tell};
+        SceneUpload upload{session, begin, scene, on_progress};
         try {
             upload.run();
             return upload.tag();

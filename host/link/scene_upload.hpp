@@ -23,6 +23,6 @@ link::Begin begin_in_ram(std::span<const std::byte> scene);
 ///
 /// Returns the tag of the upload, by which it can be cancelled. Throws what Session throws, and Refusal.
 std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
-                          const ByteProgressCallback& tell);
+                          const ByteProgressCallback& on_progress);
 
 }

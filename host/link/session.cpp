@@ -18,8 +18,8 @@ constexpr Milliseconds patience_when_leaving{500};
 
 }
 
-Session::Session(ReportPipe& pipe, const Manner& manner)
-    : pipe_{pipe}, manner_{manner}, tag_{static_cast<std::uint8_t>(manner.first_tag - 1)}
+Session::Session(ReportPipe& pipe, const Options& options)
+    : pipe_{pipe}, options_{options}, tag_{static_cast<std::uint8_t>(options.first_tag - 1)}
 {
 }
 
@@ -60,15 +60,15 @@ std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds e
 void Session::remember_failure(const link::Report& report)
 {
     const auto failure = link::message_of<link::Failure>(report);
-    if (failure && report.tag() == 0 && !untold_)
-        untold_ = failure;
+    if (failure && report.tag() == 0 && !pending_failure_)
+        pending_failure_ = failure;
 }
 
-void Session::tell_failures()
+void Session::throw_pending_failure()
 {
     while (const auto report = hear(0, Milliseconds{0}))
         remember_failure(*report);
-    if (const auto failure = std::exchange(untold_, std::nullopt))
+    if (const auto failure = std::exchange(pending_failure_, std::nullopt))
         throw Refusal{*failure};
 }
 
@@ -99,8 +99,8 @@ link::Report Session::exchange(const link::Report& request, Milliseconds patienc
         send(request);
         if (const auto answer = await(request, patience, is_answer))
             return *answer;
-        if (pipe_.now() - begin >= manner_.last_patience)
-            give_up(manner_.last_patience);
+        if (pipe_.now() - begin >= options_.last_patience)
+            give_up(options_.last_patience);
     }
 }
 
@@ -122,8 +122,8 @@ void Session::take_leave(const link::Report& report)
 std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind)
 {
     const auto failure = link::message_of<link::Failure>(answer);
-    const bool tells_why = failure && failure->request == kind && failure->status != Status::bad_report;
-    return tells_why ? failure : std::nullopt;
+    const bool has_reason = failure && failure->request == kind && failure->status != Status::bad_report;
+    return has_reason ? failure : std::nullopt;
 }
 
 void give_up(Milliseconds waited)

@@ -23,14 +23,14 @@ inline constexpr Milliseconds patience_to_begin{600};
 class Session {
 public:
     /// How it asks.
-    struct Manner {
+    struct Options {
         Milliseconds last_patience{10'000};
         /// No device may take requests for those of somebody who asked before, so it is chosen at random.
         std::uint8_t first_tag = 1;
     };
 
     /// The pipe must outlive it.
-    Session(ReportPipe& pipe, const Manner& manner);
+    Session(ReportPipe& pipe, const Options& options);
 
     /// The device's answer. Throws Refusal.
     template <class A, class M>
@@ -52,14 +52,14 @@ public:
     {
         ask<link::Done<M::kind>>(message, patience);
     }
-    /// What is answered only if it fails: see tell_failures().
+    /// What is answered only if it fails: see throw_pending_failure().
     template <class M>
-    void tell(const M& message)
+    void post(const M& message)
     {
         send(link::report_of(message, 0));
     }
     /// Throws Refusal if something was refused that was told. Does not wait.
-    void tell_failures();
+    void throw_pending_failure();
 
     /// Another one than those of late. Never 0.
     std::uint8_t new_tag();
@@ -67,7 +67,7 @@ public:
     /// The next report with that tag, for which it waits so long.
     std::optional<link::Report> hear(std::uint8_t tag, Milliseconds patience);
     Milliseconds now() const { return pipe_.now(); }
-    Milliseconds last_patience() const { return manner_.last_patience; }
+    Milliseconds last_patience() const { return options_.last_patience; }
     /// Another time of silence, after one that was not enough.
     static Milliseconds longer(Milliseconds patience);
 
@@ -85,9 +85,9 @@ private:
     void remember_failure(const link::Report& report);
 
     ReportPipe& pipe_;
-    Manner manner_;
+    Options options_;
     std::uint8_t tag_;
-    std::optional<link::Failure> untold_; ///< the first failure of what was told
+    std::optional<link::Failure> pending_failure_; ///< the first failure of what was told
 };
 
 /// Why the device does not do what it was asked for by a report of that kind, if this tells it. That a report

@@ -181,12 +181,12 @@ private:
 }
 
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const ProgressCallback& tell, const FilmLimit& limit)
+                const ProgressCallback& on_progress, const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     ApngFilm film{timeline.frame_rate, limit};
     for (std::size_t done = 0; done < moments.size(); ++done) {
-        tell(done, moments.size());
+        on_progress(done, moments.size());
         film.show(widen(source.show(moments[done].time)), moments[done].end - moments[done].begin);
     }
     write_file(target, film.finished(timeline.stretch.loop != Loop::once));

@@ -16,6 +16,6 @@ namespace kfast {
 /// be written or would be larger than `limit` allows; then there is none. Layout: APNG Specification,
 /// wiki.mozilla.org/APNG_Specification.
 void write_apng(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-                const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
+                const ProgressCallback& on_progress = ignore_progress, const FilmLimit& limit = {});
 
 }

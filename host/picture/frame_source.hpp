@@ -3,7 +3,7 @@
 #include "core/time/time.hpp"
 #include "host/picture/detail.hpp"
 #include "host/picture/frame.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 
 #include <string>
 
@@ -16,7 +16,7 @@ enum class Pace {
 };
 
 /// Draws a scene on one panel. Which one is chosen at run time, hence virtual.
-class FrameSource : public ToldInputs {
+class FrameSource : public InputReceiver {
 public:
     /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
     virtual const Frame& show(Time moment) = 0;

@@ -110,11 +110,11 @@ private:
 
 /// None when the pictures have more than 256 colours together.
 std::optional<Palette> shared_palette(FrameSource& source, const std::vector<GifMoment>& moments,
-                                      const std::function<void()>& tell_picture)
+                                      const std::function<void()>& on_picture)
 {
     Palette palette;
     for (const GifMoment& moment : moments) {
-        tell_picture();
+        on_picture();
         if (!palette.add(widen(source.show(moment.time))))
             return std::nullopt;
     }
@@ -130,18 +130,19 @@ void add_with_own_colours(GifEncoder& encoder, const Picture& picture, int centi
 }
 
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const ProgressCallback& tell, const FilmLimit& limit)
+               const ProgressCallback& on_progress, const FilmLimit& limit)
 {
     const std::vector<GifMoment> moments = gif_moments(timeline);
     const std::size_t steps = 2 * moments.size();
     std::size_t done = 0;
-    const std::optional<Palette> palette = shared_palette(source, moments, [&] { tell(done++, steps); });
+    const std::optional<Palette> palette =
+        shared_palette(source, moments, [&] { on_progress(done++, steps); });
     const ColourMap colours = palette ? colour_map(palette->colours()) : ColourMap{nullptr, GifFreeMapObject};
     GifEncoder encoder{source.show(moments.front().time).size, limit};
     encoder.begin(colours.get(), timeline.stretch.loop != Loop::once);
     done = moments.size(); // the search for colours may have ended early
     for (const auto& [time, centiseconds] : moments) {
-        tell(done++, steps);
+        on_progress(done++, steps);
         const Picture picture = widen(source.show(time));
         if (palette)
             encoder.add(palette->indices(picture), nullptr, centiseconds);

@@ -15,6 +15,6 @@ namespace kfast {
 /// dither. Throws Failure when the file cannot be written or would be larger than `limit` allows; then there
 /// is none.
 void write_gif(const std::filesystem::path& target, FrameSource& source, const Timeline& timeline,
-               const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
+               const ProgressCallback& on_progress = ignore_progress, const FilmLimit& limit = {});
 
 }

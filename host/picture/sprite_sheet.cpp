@@ -72,7 +72,7 @@ std::filesystem::path sprite_list_path(const std::filesystem::path& sheet)
 
 SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
                                const Timeline& timeline, const SpriteSheetForm& form,
-                               const ProgressCallback& tell)
+                               const ProgressCallback& on_progress)
 {
     const std::vector<FilmMoment> moments = sheet_moments(timeline, form);
     const int filled =
@@ -82,7 +82,7 @@ SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource&
     Picture sheet = plain_picture(std::int64_t{filled} * grid.cell.width, std::int64_t{last.y} + last.height,
                                   {}, "the sheet");
     for (std::size_t done = 0; done < moments.size(); ++done) {
-        tell(done, moments.size());
+        on_progress(done, moments.size());
         const Rect place = grid.place(done);
         put(widen(source.show(moments[done].time)), sheet, place.x, place.y);
     }

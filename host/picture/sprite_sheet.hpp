@@ -27,6 +27,6 @@ struct SpriteSheet {
 /// written, or when the sheet has more pixels than pictures have.
 SpriteSheet write_sprite_sheet(const std::filesystem::path& target, FrameSource& source,
                                const Timeline& timeline, const SpriteSheetForm& form,
-                               const ProgressCallback& tell = tell_nobody);
+                               const ProgressCallback& on_progress = ignore_progress);
 
 }

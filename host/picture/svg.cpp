@@ -32,14 +32,14 @@ struct SvgFrame {
     std::int64_t end;
 };
 
-std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline, const ProgressCallback& tell,
-                                const FilmLimit& limit)
+std::vector<SvgFrame> frames_of(SvgSource& source, const Timeline& timeline,
+                                const ProgressCallback& on_progress, const FilmLimit& limit)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     std::vector<SvgFrame> frames;
     std::size_t bytes = 0;
     for (std::size_t done = 0; done < moments.size(); ++done) {
-        tell(done, moments.size());
+        on_progress(done, moments.size());
         std::string elements = source.show(moments[done].time);
         if (!frames.empty() && frames.back().elements == elements) {
             frames.back().end = moments[done].end;
@@ -105,9 +105,9 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 }
 
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const ProgressCallback& tell, const FilmLimit& limit)
+                        const ProgressCallback& on_progress, const FilmLimit& limit)
 {
-    const std::vector<SvgFrame> frames = frames_of(source, timeline, tell, limit);
+    const std::vector<SvgFrame> frames = frames_of(source, timeline, on_progress, limit);
     const Turns turns{timeline, frames.back().end};
     std::string text = head(source);
     for (const SvgFrame& frame : frames)

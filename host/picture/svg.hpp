@@ -17,6 +17,6 @@ void write_svg(const std::filesystem::path& target, SvgSource& source, Time mome
 /// loops as the scene or clip does. Frames that repeat are stored once. Throws Failure likewise, and when it
 /// would be larger than `limit` allows.
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
-                        const ProgressCallback& tell = tell_nobody, const FilmLimit& limit = {});
+                        const ProgressCallback& on_progress = ignore_progress, const FilmLimit& limit = {});
 
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/scene_state.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace kfast {
 
 /// Writes any moment of a scene on a panel as elements of an SVG.
-class SvgSource : public ToldInputs {
+class SvgSource : public InputReceiver {
 public:
     /// `scene`'s bytes must outlive the source.
     SvgSource(const SceneView& scene, Size panel, Fit fit);

@@ -77,7 +77,7 @@ std::vector<std::string> arguments(VideoKind kind, Size size, std::uint32_t fram
 bool is_padded(Size size) { return size.width % 2 != 0 || size.height % 2 != 0; }
 
 void write_video(const std::filesystem::path& target, VideoKind kind, FrameSource& source,
-                 const Timeline& timeline, int loops, const ProgressCallback& tell)
+                 const Timeline& timeline, int loops, const ProgressCallback& on_progress)
 {
     const std::vector<FilmMoment> moments = film_moments(timeline);
     const Picture first = padded(widen(source.show(moments.front().time)));
@@ -87,7 +87,7 @@ void write_video(const std::filesystem::path& target, VideoKind kind, FrameSourc
                    }};
     const std::size_t total = moments.size() * static_cast<std::size_t>(loops);
     for (std::size_t done = 0; done < total; ++done) {
-        tell(done, total);
+        on_progress(done, total);
         pipe.write(channel_bytes(padded(widen(source.show(moments[done % moments.size()].time)))));
     }
     pipe.finish();

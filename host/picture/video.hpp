@@ -18,6 +18,6 @@ bool is_padded(Size size);
 /// its neighbour. Throws Failure when there is no ffmpeg, or with the last of what it tells when it fails;
 /// then there is no file.
 void write_video(const std::filesystem::path& target, VideoKind kind, FrameSource& source,
-                 const Timeline& timeline, int loops, const ProgressCallback& tell = tell_nobody);
+                 const Timeline& timeline, int loops, const ProgressCallback& on_progress = ignore_progress);
 
 }

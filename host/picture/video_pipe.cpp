@@ -134,8 +134,8 @@ void VideoPipe::finish()
     ::close(std::exchange(pipe_, -1));
     const int status = wait();
     // It may end well and have told that it could not write all.
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || told_anything())
-        throw not_made(target_, "ffmpeg failed" + told());
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || has_messages())
+        throw not_made(target_, "ffmpeg failed" + messages_text());
 }
 
 int VideoPipe::wait()
@@ -152,16 +152,16 @@ void VideoPipe::fail()
 {
     ::close(std::exchange(pipe_, -1));
     wait();
-    throw not_made(target_, "ffmpeg ended before it had all pictures" + told());
+    throw not_made(target_, "ffmpeg ended before it had all pictures" + messages_text());
 }
 
-bool VideoPipe::told_anything() const
+bool VideoPipe::has_messages() const
 {
     std::fseek(messages_.get(), 0, SEEK_END);
     return std::ftell(messages_.get()) > 0;
 }
 
-std::string VideoPipe::told() const
+std::string VideoPipe::messages_text() const
 {
     std::rewind(messages_.get());
     std::string all;

@@ -50,8 +50,8 @@ private:
     void start(int input, int descriptor, const std::vector<std::string>& words);
     int wait();
     [[noreturn]] void fail();
-    bool told_anything() const;
-    std::string told() const;
+    bool has_messages() const;
+    std::string messages_text() const;
 
     std::filesystem::path target_;
     IgnoredPipeSignal ignored_;

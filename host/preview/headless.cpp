@@ -96,11 +96,12 @@ void write_messages(const Viewer& viewer, std::ostream& out)
 
 }
 
-void play_headless(FrameSource& source, const Programme& programme, std::ostream& out)
+void play_headless(FrameSource& source, const PlaybackSetup& playback_setup, std::ostream& out)
 {
-    const Timeline timeline{programme.frame_rate, programme.parts[programme.first].stretch, programme.speed};
-    PreviewPlayback playback{programme, source.pace(), Seconds{0}, 1};
-    playback.tell_events_to(writing_to(out));
+    const Timeline timeline{playback_setup.frame_rate, playback_setup.parts[playback_setup.first].stretch,
+                            playback_setup.speed};
+    PreviewPlayback playback{playback_setup, source.pace(), Seconds{0}, 1};
+    playback.set_on_event(writing_to(out));
     Summary summary;
     for (int frame = 0; frame < timeline.frame_count(); ++frame) {
         playback.advance_to(clock_at(timeline, frame));
@@ -113,7 +114,7 @@ void play_headless(FrameSource& source, const Programme& programme, std::ostream
 void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out, const KeyPress& press)
 {
     const double seconds_per_frame = clock_at(viewer.playback().timeline(), 1).count();
-    viewer.tell_events_to(writing_to(out));
+    viewer.set_on_event(writing_to(out));
     Summary summary;
     Seconds clock{0};
     for (const ScriptStep& step : script) {
@@ -128,7 +129,7 @@ void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostrea
         write_messages(viewer, out);
         out << viewer.status() << "  " << hexadecimal(hash(frame)) << '\n';
     }
-    viewer.tell_events_to({});
+    viewer.set_on_event({});
     summary.write(out);
 }
 

@@ -12,7 +12,7 @@ namespace kfast {
 /// Plays every frame of one pass once on a clock of its own, through the same state as a window, and writes
 /// the events that it passes, "event 12.5 step" (at frame 12.5), then "60 frames, hash 1a2b3c4d" (CRC-32 over
 /// the pixels of all of them).
-void play_headless(FrameSource& source, const Programme& programme, std::ostream& out);
+void play_headless(FrameSource& source, const PlaybackSetup& playback_setup, std::ostream& out);
 
 /// What is done with a key instead of pressing it on the viewer.
 using KeyPress = std::function<void(PreviewKey, Viewer::Seconds)>;

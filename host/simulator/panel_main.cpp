@@ -50,25 +50,25 @@ PanelSettings panel_in(const fs::path& path)
     return settings->panel;
 }
 
-class Teller {
+class ReplayPrinter {
 public:
-    Teller(const ControllerModel& model, Rotation rotation, fs::path folder)
+    ReplayPrinter(const ControllerModel& model, Rotation rotation, fs::path folder)
         : model_{model}, rotation_{rotation}, folder_{std::move(folder)}
     {
         if (!folder_.empty())
             fs::create_directories(folder_);
     }
 
-    void tell(std::string_view note)
+    void print(std::string_view note)
     {
         std::cout << note;
         if (note.starts_with("F "))
-            tell_picture(seen_upright(model_.picture(), rotation_));
+            print_picture(seen_upright(model_.picture(), rotation_));
         std::cout << '\n';
     }
 
 private:
-    void tell_picture(const Frame& picture)
+    void print_picture(const Frame& picture)
     {
         char text[16];
         std::snprintf(text, sizeof text, " %08x", hash(picture));
@@ -90,8 +90,8 @@ void replay(const Arguments& arguments)
     const std::string bytes = content(arguments.trace);
     const auto trace = read_trace(std::as_bytes(std::span{bytes}));
     const auto model = make_controller_model(panel);
-    Teller teller{*model, panel.rotation, arguments.pictures};
-    TraceReplay{*model}.play(trace, [&teller](std::string_view note) { teller.tell(note); });
+    ReplayPrinter replay_printer{*model, panel.rotation, arguments.pictures};
+    TraceReplay{*model}.play(trace, [&replay_printer](std::string_view note) { replay_printer.print(note); });
 }
 
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/bytes/result.hpp"
-#include "firmware/link/conversation.hpp"
-#include "firmware/link/stage.hpp"
+#include "firmware/link/link_service.hpp"
+#include "firmware/link/playback_session.hpp"
 #include "firmware/panel/panel_choice.hpp"
 #include "firmware/run/run.hpp"
 #include "firmware/settings/board_settings.hpp"
@@ -47,7 +47,7 @@ public:
         for (auto& band : bands_)
             band.resize(band_rows * row_bytes(P::format, panel_.size().width));
         model_->reset(clock_.elapsed());
-        conversation_.begin();
+        link_service_.begin();
     }
     PluggedBoard(const PluggedBoard&) = delete;
 
@@ -63,12 +63,12 @@ public:
     }
 
     bool wants_to_run() { return !parts_.onlooker.has_seen_enough(); }
-    bool running() { return wants_to_run() && !stage_.wants_to_begin(); }
-    bool begin() { return stage_.begin(); }
+    bool running() { return wants_to_run() && !playback_.wants_to_begin(); }
+    bool begin() { return playback_.begin(); }
 
     void listen()
     {
-        conversation_.serve([this] { return now(); });
+        link_service_.serve([this] { return now(); });
     }
     void sleep_until(Microseconds moment)
     {
@@ -79,36 +79,36 @@ public:
         doze_until(moment, [this] { return running(); });
     }
 
-    std::span<const std::byte> scene_bytes() { return stage_.scene_bytes(); }
-    std::span<std::byte> block() { return stage_.block(); }
+    std::span<const std::byte> scene_bytes() { return playback_.scene_bytes(); }
+    std::span<std::byte> block() { return playback_.block(); }
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
 
-    void scene_started(const SceneView& scene) { stage_.scene_started(scene); }
-    void plays(SceneState* player) { stage_.plays(player); }
-    Playhead playhead(const SceneView&) { return stage_.playhead(); }
+    void scene_started(const SceneView& scene) { playback_.scene_started(scene); }
+    void plays(SceneState* player) { playback_.plays(player); }
+    Playhead playhead(const SceneView&) { return playback_.playhead(); }
     void steer(Playhead& playhead)
     {
-        stage_.steer(playhead, pins_, now());
-        if (const std::uint8_t wanted = stage_.brightness(); wanted != brightness_)
+        playback_.steer(playhead, pins_, now());
+        if (const std::uint8_t wanted = playback_.brightness(); wanted != brightness_)
             panel_.set_brightness(brightness_ = wanted);
     }
-    std::span<const PlacedInput> inputs() const { return stage_.inputs(); }
+    std::span<const PlacedInput> inputs() const { return playback_.inputs(); }
 
     void event_passed(const EventView& event) { parts_.onlooker.hear(event); }
     void frame_shown(const FrameReport& report)
     {
-        stage_.frame_shown(report);
-        parts_.onlooker.see(picture(), report.time, stage_.playing());
+        playback_.frame_shown(report);
+        parts_.onlooker.see(picture(), report.time, playback_.playing());
     }
     void fault(Error error)
     {
-        const bool is_blank = stage_.scene_bytes().empty();
-        stage_.fault();
+        const bool is_blank = playback_.scene_bytes().empty();
+        playback_.fault();
         parts_.onlooker.see_nothing(picture(), is_blank ? "no scene" : error_text(error));
     }
 
 private:
-    static constexpr std::size_t lent_bytes = 88 * 1024;
+    static constexpr std::size_t player_block_bytes = 88 * 1024;
     static constexpr int band_rows = 24;
     static constexpr std::string_view board_name = "Simulator";
 
@@ -118,7 +118,7 @@ private:
         int level(Pin) const { return 0; }
     };
 
-    link::StageFacts facts()
+    link::BoardFacts facts()
     {
         return {.settings = parts_.settings,
                 .serial = parts_.serial,
@@ -156,13 +156,13 @@ private:
     std::unique_ptr<ControllerModel> model_ = make_controller_model(parts_.settings.panel);
     SimulatedBus bus_{*model_, clock_};
     P panel_ = make_panel<P>(bus_, parts_.settings.panel);
-    std::vector<std::byte> block_ = std::vector<std::byte>(lent_bytes);
+    std::vector<std::byte> block_ = std::vector<std::byte>(player_block_bytes);
     std::array<std::vector<std::byte>, 2> bands_;
     NoPins pins_;
     std::uint8_t brightness_ = parts_.settings.panel.brightness;
-    link::Stage stage_{facts()};
+    link::PlaybackSession playback_{facts()};
     SlotStore<FlashFile> slots_{parts_.flash, rp2040::slot_places};
-    link::Conversation<ReportSocket, FlashFile> conversation_{parts_.plug, stage_, slots_};
+    link::LinkService<ReportSocket, FlashFile> link_service_{parts_.plug, playback_, slots_};
 };
 
 }

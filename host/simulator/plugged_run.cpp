@@ -11,7 +11,7 @@ void run_plugged_board(const PluggedParts& parts)
         using B = PluggedBoard<P>;
         static_assert(ChangingBoard<B> && ChoosingBoard<B> && EventBoard<B> && InputBoard<B> &&
                       ListeningBoard<B> && NamedBoard<B> && LiveInputBoard<B>);
-        run_stage(board);
+        run_scenes(board);
     });
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// The least that makes a reset of all controllers.
 constexpr std::chrono::microseconds shortest_reset{10};
 
-bool tells_of_select(const TraceRecord& record)
+bool is_select_record(const TraceRecord& record)
 {
     return record.kind == TraceKind::selected || record.kind == TraceKind::deselected;
 }
@@ -29,13 +29,13 @@ std::string_view text_of(std::span<const std::byte> bytes)
 }
 
 void TraceReplay::play(std::span<const TraceRecord> trace,
-                       const std::function<void(std::string_view note)>& tell)
+                       const std::function<void(std::string_view note)>& on_note)
 {
-    is_selected_ = std::ranges::none_of(trace, tells_of_select);
+    is_selected_ = std::ranges::none_of(trace, is_select_record);
     model_.reset(std::chrono::nanoseconds{});
     for (const TraceRecord& record : trace) {
         if (record.kind == TraceKind::note)
-            tell(text_of(record.bytes));
+            on_note(text_of(record.bytes));
         else
             play(record);
         if (model_.error())

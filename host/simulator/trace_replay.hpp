@@ -17,7 +17,7 @@ public:
 
     /// Calls `tell` with each note, when the model has received all that came before it. Throws Failure for
     /// the first mistake on the wires.
-    void play(std::span<const TraceRecord> trace, const std::function<void(std::string_view note)>& tell);
+    void play(std::span<const TraceRecord> trace, const std::function<void(std::string_view note)>& on_note);
 
 private:
     void play(const TraceRecord& record);

@@ -23,10 +23,10 @@ public:
     {
     }
 
-    SoundLoop make(const ProgressCallback& tell)
+    SoundLoop make(const ProgressCallback& on_progress)
     {
         while (add_tour())
-            tell(loop_.points.size(), samples_);
+            on_progress(loop_.points.size(), samples_);
         if (pieces_.empty())
             throw std::length_error("a picture takes more points than the sound has samples");
         append(travel(loop_.points.back(), loop_.points.front(), step_));
@@ -106,9 +106,9 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate)
 }
 
 SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
-                     const ProgressCallback& tell)
+                     const ProgressCallback& on_progress)
 {
-    return LoopMaker{source, timeline, samples}.make(tell);
+    return LoopMaker{source, timeline, samples}.make(on_progress);
 }
 
 double longest_step(const Tour& tour)

@@ -29,7 +29,7 @@ std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate);
 ///
 /// Throws std::length_error if not one tour has room, which a budget of `samples` prevents.
 SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
-                     const ProgressCallback& tell = tell_nobody);
+                     const ProgressCallback& on_progress = ignore_progress);
 
 /// The longest step of a closed tour.
 double longest_step(const Tour& tour);

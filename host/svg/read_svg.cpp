@@ -18,7 +18,7 @@ Failure of_file(const SourceText& source, const Failure& failure)
     return Failure{source.name + ": " + failure.what()};
 }
 
-std::string told(const std::vector<KeyLayer>& layers)
+std::string layers_note(const std::vector<KeyLayer>& layers)
 {
     constexpr std::size_t max = 8;
     std::string names;
@@ -38,7 +38,7 @@ art::Document document_of(const pugi::xml_document& text, const KeyOptions& opti
     for (const KeyLayer& layer : layers)
         shown.push_back(layer.element);
     if (!layers.empty() && options.layers == LayerKeys::automatic)
-        notes.push_back(told(layers));
+        notes.push_back(layers_note(layers));
     Picture picture = PartReader{drawing_of(text), shown, budget, losses}.read();
     std::vector<Pose> poses;
     if (layers.empty())
@@ -63,8 +63,8 @@ art::Document read_svg(const SourceText& source, const KeyOptions& options, art:
 
 art::Document read_svg(const SourceText& source, const KeyOptions& options, art::Losses& losses)
 {
-    std::vector<std::string> not_told;
-    return read_svg(source, options, losses, not_told);
+    std::vector<std::string> dropped_notes;
+    return read_svg(source, options, losses, dropped_notes);
 }
 
 art::Document read_svg(const SourceText& source, art::Losses& losses) { return read_svg(source, {}, losses); }

@@ -19,8 +19,8 @@ struct PanelShow {
     PanelSettings panel;
     std::span<const std::byte> scene; ///< checked
     Timeline timeline;
-    std::function<void(SceneState&)> tell_inputs; ///< called before the first picture
-    std::optional<std::uint64_t> frames;          ///< so many; nothing: until a signal comes
+    std::function<void(SceneState&)> apply_inputs; ///< called before the first picture
+    std::optional<std::uint64_t> frames;           ///< so many; nothing: until a signal comes
 };
 
 /// What became of it.

@@ -65,7 +65,7 @@ public:
     void plays(SceneState* player)
     {
         if (player != nullptr)
-            show_.tell_inputs(*player);
+            show_.apply_inputs(*player);
     }
 
     void frame_shown(const FrameReport& report)

@@ -56,7 +56,7 @@ void play_two_turns(const SceneView& scene, Meter meter, Report report)
         throw std::runtime_error{"the scene does not fit into the block that it asks for"};
 }
 
-void tell_frames(const SceneView& scene)
+void print_frames(const SceneView& scene)
 {
     const PlayRange stretch = steady_stretch(scene);
     SteadyPictures pictures{scene, stretch};
@@ -69,7 +69,7 @@ void tell_frames(const SceneView& scene)
     });
 }
 
-void tell_speed(const SceneView& scene)
+void print_speed(const SceneView& scene)
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -99,9 +99,9 @@ void run(const std::string& wish, const char* path)
         throw std::runtime_error{std::string{path} + " is no compiled scene of this version of KFAST"};
     const SceneView& scene = *parsed;
     if (wish == "frames")
-        tell_frames(scene);
+        print_frames(scene);
     else if (wish == "speed")
-        tell_speed(scene);
+        print_speed(scene);
     else
         play_two_turns(scene, FrameMark{}, [](const FrameCost&) {});
 }

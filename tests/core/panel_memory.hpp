@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/core/filling.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <cstring>
 #include <doctest/doctest.h>
@@ -47,14 +47,14 @@ struct Sent {
 
 /// Draws what changes, with room for `rows` rows at once.
 template <PixelFormat format>
-Sent bring_up_to_date(Stage& stage, PanelMemory<format>& memory, int rows,
+Sent bring_up_to_date(PlayerFixture& fixture, PanelMemory<format>& memory, int rows,
                       Size granularity = {pixels_in_whole_bytes(format), 1}, int area_bytes = 11)
 {
-    const Size panel = stage.player.panel();
+    const Size panel = fixture.player.panel();
     Bytes pixels(row_bytes(format, panel.width) * static_cast<std::size_t>(rows));
     Sent sent;
     for (;;) {
-        const auto changes = stage.player.draw_changes<format>(pixels, granularity, area_bytes);
+        const auto changes = fixture.player.draw_changes<format>(pixels, granularity, area_bytes);
         if (changes.empty())
             return sent;
         for (const Change& change : changes) {

@@ -1,7 +1,7 @@
 #include "core/player.hpp"
 
 #include "tests/core/moving_scenes.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,10 @@ using moving::stroke_of;
 
 constexpr Size canvas{60, 40};
 
-Bytes picture_of(const RawScene& scene, Time time) { return Stage{scene.file(), canvas}.picture(time); }
+Bytes picture_of(const RawScene& scene, Time time)
+{
+    return PlayerFixture{scene.file(), canvas}.picture(time);
+}
 
 /// Filled and stroked, without anything that carries it.
 RawScene plain_scene(const scene::Drawing& drawing)

@@ -4,7 +4,7 @@
 #include "tests/core/everything.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/panel_memory.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace {
 /// Shows the frames one after the other, with room for `rows` rows at once.
 void check_frames(const Bytes& file, Size panel, int frames, int rows)
 {
-    Stage stage{file, panel};
+    PlayerFixture fixture{file, panel};
     PanelMemory<PixelFormat::rgb565> memory{panel};
     for (int frame = 0; frame < frames; ++frame) {
-        stage.player.show(Time::frame(frame));
-        bring_up_to_date(stage, memory, rows);
-        CHECK(memory.bytes() == Stage{file, panel}.picture(Time::frame(frame)));
+        fixture.player.show(Time::frame(frame));
+        bring_up_to_date(fixture, memory, rows);
+        CHECK(memory.bytes() == PlayerFixture{file, panel}.picture(Time::frame(frame)));
     }
 }
 
@@ -32,23 +32,23 @@ template <PixelFormat format>
 void check_against_redraws(const Bytes& file, Size panel, Size granularity, unsigned seed)
 {
     std::mt19937 random{seed};
-    Stage stage{file, panel};
-    Stage fresh{file, panel};
+    PlayerFixture fixture{file, panel};
+    PlayerFixture fresh{file, panel};
     PanelMemory<format> memory{panel};
     std::int32_t moment = 0;
     for (int round = 0; round < rounds(60); ++round) {
         moment = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 60'000)
                                    : moment + static_cast<std::int32_t>(random() % 700);
-        stage.player.show({moment});
+        fixture.player.show({moment});
         if (random() % 8 == 0)
-            stage.player.redraw();
+            fixture.player.redraw();
         if (random() % 8 == 0) { // interrupted: what was drawn does reach the panel
             Bytes pixels(row_bytes(format, panel.width) * 8);
-            for (const Change& change : stage.player.draw_changes<format>(pixels, granularity, 11))
+            for (const Change& change : fixture.player.draw_changes<format>(pixels, granularity, 11))
                 memory.take(change);
             continue;
         }
-        bring_up_to_date(stage, memory, granularity.height * (1 + static_cast<int>(random() % 3)),
+        bring_up_to_date(fixture, memory, granularity.height * (1 + static_cast<int>(random() % 3)),
                          granularity, static_cast<int>(random() % 20));
         REQUIRE(memory.bytes() == without_filling(format, panel, fresh.picture<format>({moment})));
     }
@@ -89,13 +89,13 @@ TEST_CASE("curves that stand still are the same wherever something passes over t
 
 TEST_CASE("narrow areas at the panel's edge find room for whole bytes")
 {
-    Stage stage{"kfast 1\ncanvas 9 20 frames=20\n"
-                "object o fill=white { rect 8 0 1 20; key 0 opacity=0; key 10 opacity=1 }\n",
-                {9, 20}};
+    PlayerFixture fixture{"kfast 1\ncanvas 9 20 frames=20\n"
+                          "object o fill=white { rect 8 0 1 20; key 0 opacity=0; key 10 opacity=1 }\n",
+                          {9, 20}};
     PanelMemory<PixelFormat::mono1> memory{{9, 20}};
     for (const int frame : {0, 10, 0}) {
-        stage.player.show(Time::frame(frame));
-        bring_up_to_date(stage, memory, 1, {8, 1}, 11);
+        fixture.player.show(Time::frame(frame));
+        bring_up_to_date(fixture, memory, 1, {8, 1}, 11);
         CHECK(memory.bytes().back() == std::byte(frame == 0 ? 0 : 0x80));
     }
 }
@@ -110,35 +110,36 @@ group opacity=0.5 { object dim fill=blue { rect 10 10 10 10 }; object over fill=
 
 TEST_CASE("a picture that equals the last costs nothing")
 {
-    Stage stage{
+    PlayerFixture fixture{
         "kfast 1\ncanvas 20 20 frames=20\nobject o fill=red {\n  key 0 { rect 2 2 9 9 }\n  key 10 { rect 2 2 "
         "9 9 }\n}\n",
         {20, 20}};
     PanelMemory<PixelFormat::rgb565> memory{{20, 20}};
-    CHECK(bring_up_to_date(stage, memory, 20).bytes == 20 * 20 * 2);
+    CHECK(bring_up_to_date(fixture, memory, 20).bytes == 20 * 20 * 2);
     for (int frame = 1; frame < 20; ++frame) {
-        stage.player.show(Time::frame(frame));
-        CHECK(bring_up_to_date(stage, memory, 20).areas == 0);
+        fixture.player.show(Time::frame(frame));
+        CHECK(bring_up_to_date(fixture, memory, 20).areas == 0);
     }
 }
 
 TEST_CASE("whole rows go together, other areas are no higher than a band")
 {
     constexpr Size panel{40, 40};
-    Stage stage{"kfast 1\ncanvas 40 40 frames=20\nobject o fill=red { key 0 { rect 5 0 9 40 }; key 10 { rect "
-                "5 0 19 40 } }",
-                panel};
+    PlayerFixture fixture{
+        "kfast 1\ncanvas 40 40 frames=20\nobject o fill=red { key 0 { rect 5 0 9 40 }; key 10 { rect "
+        "5 0 19 40 } }",
+        panel};
     Bytes pixels(row_bytes(PixelFormat::rgb565, panel.width) * static_cast<std::size_t>(panel.height));
-    stage.player.show({});
-    const auto first = stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11);
+    fixture.player.show({});
+    const auto first = fixture.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11);
     REQUIRE(first.size() == 1);
     CHECK(first[0].area == Rect{0, 0, panel.width, panel.height});
-    CHECK(stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11).empty());
-    stage.player.show(Time::frame(1));
+    CHECK(fixture.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 11).empty());
+    fixture.player.show(Time::frame(1));
     int areas = 0;
     for (;;) {
         // Areas are so dear that both sides of the rectangle are in one.
-        const auto changes = stage.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 400);
+        const auto changes = fixture.player.draw_changes<PixelFormat::rgb565>(pixels, {1, 1}, 400);
         if (changes.empty())
             break;
         for (const Change& change : changes) {
@@ -161,12 +162,12 @@ object bending fill=blue {
 }
 object turning fill=lime { rect 6 30 8 4; key 0 y=0 law-x=ease law-y="steps(5)"; key 20 y=5 }
 )kfast";
-    Stage stage{stepping, {40, 40}};
+    PlayerFixture fixture{stepping, {40, 40}};
     PanelMemory<PixelFormat::rgb565> memory{{40, 40}};
     for (int frame = 0; frame < 20; ++frame) {
-        stage.player.show(Time::frame(frame));
-        CHECK((bring_up_to_date(stage, memory, 4).areas != 0) == (frame % 4 == 0));
-        CHECK(memory.bytes() == Stage{stepping, {40, 40}}.picture(Time::frame(frame)));
+        fixture.player.show(Time::frame(frame));
+        CHECK((bring_up_to_date(fixture, memory, 4).areas != 0) == (frame % 4 == 0));
+        CHECK(memory.bytes() == PlayerFixture{stepping, {40, 40}}.picture(Time::frame(frame)));
     }
 }
 
@@ -183,16 +184,16 @@ TEST_CASE("what stands still is seen up to its borders, and again further down")
 
 TEST_CASE("what stands still is not sent again, nor the inside of what moves")
 {
-    Stage stage{two_squares, {100, 60}};
+    PlayerFixture fixture{two_squares, {100, 60}};
     PanelMemory<PixelFormat::rgb565> memory{{100, 60}};
-    bring_up_to_date(stage, memory, 8);
-    stage.player.show(Time::frame(1));
-    const Sent sent = bring_up_to_date(stage, memory, 8);
+    bring_up_to_date(fixture, memory, 8);
+    fixture.player.show(Time::frame(1));
+    const Sent sent = bring_up_to_date(fixture, memory, 8);
     CHECK(sent.areas > 0);
     // The two sides of one square, a pixel wide in 9 bands of 4 rows, and the bands in which it begins and
     // ends.
     CHECK(sent.bytes <= 2 * 4 * (9 * 2 + 2 * 21));
-    CHECK(memory.bytes() == Stage{two_squares, {100, 60}}.picture(Time::frame(1)));
+    CHECK(memory.bytes() == PlayerFixture{two_squares, {100, 60}}.picture(Time::frame(1)));
 }
 
 TEST_CASE("an opacity that changes is sent wherever its group covers something")
@@ -206,12 +207,12 @@ group {
     object two fill=blue { rect 10 10 20 20 }
 }
 )";
-    Stage stage{fading, {40, 40}};
+    PlayerFixture fixture{fading, {40, 40}};
     PanelMemory<PixelFormat::rgb565> memory{{40, 40}};
     for (const int frame : {0, 1, 2, 19, 10}) {
-        stage.player.show(Time::frame(frame));
-        bring_up_to_date(stage, memory, 4);
-        CHECK(memory.bytes() == Stage{fading, {40, 40}}.picture(Time::frame(frame)));
+        fixture.player.show(Time::frame(frame));
+        bring_up_to_date(fixture, memory, 4);
+        CHECK(memory.bytes() == PlayerFixture{fading, {40, 40}}.picture(Time::frame(frame)));
     }
 }
 
@@ -235,13 +236,13 @@ TEST_CASE("a picture that finds no room is drawn with coarser curves, and writes
     const std::uint32_t enough = SceneView::parse(file)->outline_bytes();
     for (const std::uint32_t bytes : {0U, 4U, 64U, enough / 8 / 4 * 4, enough / 2 / 4 * 4}) {
         set_outline_needs(file, {.bytes = bytes, .borders = 200});
-        Stage stage{file, {60, 40}}; // the end of the block is watched by the address sanitizer
+        PlayerFixture fixture{file, {60, 40}}; // the end of the block is watched by the address sanitizer
         bool was_coarse = false;
         for (int frame = 0; frame < 20; ++frame) {
-            stage.picture(Time::frame(frame));
-            const raster::OutlineStore& outlines = stage.player.picture().outlines;
+            fixture.picture(Time::frame(frame));
+            const raster::OutlineStore& outlines = fixture.player.picture().outlines;
             CHECK((outlines.is_full() || outlines.needed_bytes() <= bytes + 4));
-            was_coarse = was_coarse || stage.player.picture().coarseness > 0;
+            was_coarse = was_coarse || fixture.player.picture().coarseness > 0;
         }
         CHECK(was_coarse);
         check_against_redraws<PixelFormat::rgb565>(file, {60, 40}, {1, 1}, bytes);

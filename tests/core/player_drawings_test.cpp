@@ -2,7 +2,7 @@
 
 #include "host/player/received_drawing.hpp"
 #include "tests/core/panel_memory.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <algorithm>
@@ -48,9 +48,9 @@ ReceivedDrawing random_drawing(std::size_t max_strokes, std::size_t max_points, 
     return drawing;
 }
 
-bool tell(Stage& stage, std::uint32_t input, const ReceivedDrawing& drawing)
+bool set_drawing(PlayerFixture& fixture, std::uint32_t input, const ReceivedDrawing& drawing)
 {
-    return stage.player.set_drawing(input, strokes_of(drawing));
+    return fixture.player.set_drawing(input, strokes_of(drawing));
 }
 
 std::string polyline(const ReceivedDrawing& drawing)
@@ -82,49 +82,51 @@ TEST_CASE("a live drawing looks as the same drawing does in an object")
                 continue;
             const std::string begin = "kfast 1\ncanvas 60 40\n";
             const std::string place = " pivot-x=30 pivot-y=20 ";
-            Stage live{begin + "input i kind=drawing points=40 strokes=2\nobject o " + style + place +
-                           "live=i",
-                       canvas};
-            Stage still{begin + "object o " + style + place + "{ " + polyline(drawing) + "}", canvas};
-            CHECK(tell(live, 0, drawing));
+            PlayerFixture live{begin + "input i kind=drawing points=40 strokes=2\nobject o " + style + place +
+                                   "live=i",
+                               canvas};
+            PlayerFixture still{begin + "object o " + style + place + "{ " + polyline(drawing) + "}", canvas};
+            CHECK(set_drawing(live, 0, drawing));
             REQUIRE(live.picture({}) == still.picture({}));
         }
 }
 
 TEST_CASE("the usual drawing is shown until another is told")
 {
-    Stage live{"kfast 1\ncanvas 60 40\ninput i kind=drawing points=9 strokes=2 { line 5 5 40 30; polygon 9 9 "
-               "30 9 9 30 }\n"
-               "object o stroke=red width=3 live=i rotate=20",
-               canvas};
-    Stage still{"kfast 1\ncanvas 60 40\nobject o stroke=red width=3 rotate=20 { line 5 5 40 30; polygon 9 9 "
-                "30 9 9 30 }",
-                canvas};
+    PlayerFixture live{
+        "kfast 1\ncanvas 60 40\ninput i kind=drawing points=9 strokes=2 { line 5 5 40 30; polygon 9 9 "
+        "30 9 9 30 }\n"
+        "object o stroke=red width=3 live=i rotate=20",
+        canvas};
+    PlayerFixture still{
+        "kfast 1\ncanvas 60 40\nobject o stroke=red width=3 rotate=20 { line 5 5 40 30; polygon 9 9 "
+        "30 9 9 30 }",
+        canvas};
     const Bytes default_value = still.picture({});
     CHECK(live.picture({}) == default_value);
-    CHECK(tell(live, 0, {}));
+    CHECK(set_drawing(live, 0, {}));
     CHECK(live.picture({}) != default_value);
-    CHECK(tell(live, 0, {{{80, 80}, {640, 480}}, {{144, 144}, {480, 144}, {144, 480}, {144, 144}}}));
+    CHECK(set_drawing(live, 0, {{{80, 80}, {640, 480}}, {{144, 144}, {480, 144}, {144, 480}, {144, 144}}}));
     CHECK(live.picture({}) == default_value);
 }
 
 TEST_CASE("a drawing that finds no room changes nothing")
 {
-    Stage stage{two_plots, canvas};
-    const Bytes picture = stage.picture({});
-    CHECK_FALSE(tell(stage, 1, {{{0, 0}}, {{1, 1}}}));
-    CHECK_FALSE(tell(stage, 1, {std::vector<InputPoint>(9)}));
-    CHECK(stage.picture({}) == picture);
-    stage.player.show_next_drawing(1);
-    CHECK(stage.player.drawing(1).strokes() == 0);
-    CHECK(tell(stage, 1, {std::vector<InputPoint>(8)}));
+    PlayerFixture fixture{two_plots, canvas};
+    const Bytes picture = fixture.picture({});
+    CHECK_FALSE(set_drawing(fixture, 1, {{{0, 0}}, {{1, 1}}}));
+    CHECK_FALSE(set_drawing(fixture, 1, {std::vector<InputPoint>(9)}));
+    CHECK(fixture.picture({}) == picture);
+    fixture.player.show_next_drawing(1);
+    CHECK(fixture.player.drawing(1).strokes() == 0);
+    CHECK(set_drawing(fixture, 1, {std::vector<InputPoint>(8)}));
 }
 
 TEST_CASE("the panel shows what a full redraw would, whatever is told and whenever")
 {
     for (int seed = 0; seed < rounds(12); ++seed) {
         std::mt19937 random{static_cast<unsigned>(seed)};
-        Stage stage{two_plots, canvas};
+        PlayerFixture fixture{two_plots, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};
         Time time;
         for (int round = 0; round < 50; ++round) {
@@ -132,23 +134,24 @@ TEST_CASE("the panel shows what a full redraw would, whatever is told and whenev
                 time = {static_cast<std::int32_t>(random() % (30 * 1024))};
             const int reach = random() % 4 == 0 ? 32767 : 1000;
             if (random() % 2 == 0)
-                CHECK(tell(stage, 0, random_drawing(4, 40, reach, random)));
+                CHECK(set_drawing(fixture, 0, random_drawing(4, 40, reach, random)));
             if (random() % 3 == 0)
-                CHECK(tell(stage, 1, random_drawing(1, 8, reach, random)));
+                CHECK(set_drawing(fixture, 1, random_drawing(1, 8, reach, random)));
             if (random() % 4 == 0)
-                stage.player.set_input(2, {static_cast<std::int32_t>(random() % 65537)});
-            stage.player.show(time);
+                fixture.player.set_input(2, {static_cast<std::int32_t>(random() % 65537)});
+            fixture.player.show(time);
             if (random() % 5 == 0)
                 continue; // never drawn
-            const ReceivedDrawing first = received_drawing(stage.player.drawing(0));
-            const ReceivedDrawing second = received_drawing(stage.player.drawing(1));
+            const ReceivedDrawing first = received_drawing(fixture.player.drawing(0));
+            const ReceivedDrawing second = received_drawing(fixture.player.drawing(1));
             if (random() % 3 == 0)
-                CHECK(tell(stage, 0, random_drawing(4, 40, reach, random))); // too late for this picture
-            bring_up_to_date(stage, memory, 5);
-            Stage fresh{stage.bytes, canvas};
-            CHECK(tell(fresh, 0, first));
-            CHECK(tell(fresh, 1, second));
-            fresh.player.set_input(2, stage.player.input(2));
+                CHECK(set_drawing(fixture, 0,
+                                  random_drawing(4, 40, reach, random))); // too late for this picture
+            bring_up_to_date(fixture, memory, 5);
+            PlayerFixture fresh{fixture.bytes, canvas};
+            CHECK(set_drawing(fresh, 0, first));
+            CHECK(set_drawing(fresh, 1, second));
+            fresh.player.set_input(2, fixture.player.input(2));
             REQUIRE(memory.bytes() == fresh.picture(time));
         }
     }
@@ -157,35 +160,35 @@ TEST_CASE("the panel shows what a full redraw would, whatever is told and whenev
 TEST_CASE("a drawing that nobody changes sends nothing, and one that is told point by point neither until it "
           "is shown")
 {
-    Stage stage{two_plots, canvas};
+    PlayerFixture fixture{two_plots, canvas};
     PanelMemory<PixelFormat::rgb565> memory{canvas};
     const auto areas = [&] {
-        stage.player.show({});
-        return bring_up_to_date(stage, memory, 40).areas;
+        fixture.player.show({});
+        return bring_up_to_date(fixture, memory, 40).areas;
     };
     areas();
     const ReceivedDrawing drawing{{{100, 100}, {300, 200}}};
-    CHECK(tell(stage, 0, drawing));
+    CHECK(set_drawing(fixture, 0, drawing));
     CHECK(areas() > 0);
-    CHECK(tell(stage, 0, drawing));
+    CHECK(set_drawing(fixture, 0, drawing));
     CHECK(areas() == 0);
-    InputDrawing next = stage.player.drawing(0);
+    InputDrawing next = fixture.player.drawing(0);
     next.add({400, 400});
     next.add({300, 400});
     CHECK(areas() == 0);
-    stage.player.show_next_drawing(0);
+    fixture.player.show_next_drawing(0);
     CHECK(areas() > 0);
 }
 
 TEST_CASE("what is told changes the outlines of its own layers alone")
 {
-    Stage stage{two_plots, canvas};
-    stage.picture({});
-    const auto told = stage.player.picture().steps();
-    const std::vector<raster::PaintStep> before(told.begin(), told.end());
-    CHECK(tell(stage, 0, {{{100, 100}, {300, 200}}}));
-    stage.picture({});
-    const auto after = stage.player.picture().steps();
+    PlayerFixture fixture{two_plots, canvas};
+    fixture.picture({});
+    const auto steps = fixture.player.picture().steps();
+    const std::vector<raster::PaintStep> before(steps.begin(), steps.end());
+    CHECK(set_drawing(fixture, 0, {{{100, 100}, {300, 200}}}));
+    fixture.picture({});
+    const auto after = fixture.player.picture().steps();
     REQUIRE(after.size() == before.size());
     std::size_t changed = 0;
     for (std::size_t i = 0; i < after.size(); ++i)

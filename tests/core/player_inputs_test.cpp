@@ -1,7 +1,7 @@
 #include "core/player.hpp"
 
 #include "tests/core/panel_memory.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -76,8 +76,8 @@ TEST_CASE("what goes by an input stands where the time would have brought it")
     const std::vector<std::string> by_input = scenes_by(" input=knob");
     for (std::size_t i = 0; i < by_time.size(); ++i) {
         CAPTURE(by_input[i]);
-        Stage timed{by_time[i], canvas};
-        Stage put{by_input[i], canvas};
+        PlayerFixture timed{by_time[i], canvas};
+        PlayerFixture put{by_input[i], canvas};
         for (const Time place : some_places(static_cast<unsigned>(i))) {
             put.player.set_input(0, place);
             REQUIRE(put.picture(Time::frame(7)) == timed.picture(place));
@@ -87,31 +87,31 @@ TEST_CASE("what goes by an input stands where the time would have brought it")
 
 TEST_CASE("an input does not move with the time, and stays where it was put")
 {
-    Stage stage{scenes_by(" input=knob").front(), canvas};
-    stage.player.set_input(0, {30'000});
-    const Bytes picture = stage.picture({});
-    CHECK(stage.picture(Time::frame(40)) == picture);
-    CHECK(stage.player.input(0) == Time{30'000});
-    stage.player.set_input(0, {30'001 + 2000});
-    CHECK(stage.picture(Time::frame(40)) != picture);
+    PlayerFixture fixture{scenes_by(" input=knob").front(), canvas};
+    fixture.player.set_input(0, {30'000});
+    const Bytes picture = fixture.picture({});
+    CHECK(fixture.picture(Time::frame(40)) == picture);
+    CHECK(fixture.player.input(0) == Time{30'000});
+    fixture.player.set_input(0, {30'001 + 2000});
+    CHECK(fixture.picture(Time::frame(40)) != picture);
 }
 
 TEST_CASE("an input stands at its usual place at first, and is held within its range")
 {
-    Stage stage{two_inputs, canvas};
-    CHECK(stage.player.input(0) == Time{32768});
-    CHECK(stage.player.input(1) == Time{0});
-    stage.player.set_input(0, {-5});
-    CHECK(stage.player.input(0) == Time{0});
-    stage.player.set_input(0, {70'000});
-    CHECK(stage.player.input(0) == whole_input);
+    PlayerFixture fixture{two_inputs, canvas};
+    CHECK(fixture.player.input(0) == Time{32768});
+    CHECK(fixture.player.input(1) == Time{0});
+    fixture.player.set_input(0, {-5});
+    CHECK(fixture.player.input(0) == Time{0});
+    fixture.player.set_input(0, {70'000});
+    CHECK(fixture.player.input(0) == whole_input);
 }
 
 TEST_CASE("the panel shows what a full redraw would, however inputs and time move")
 {
     for (unsigned seed = 0; seed < 12; ++seed) {
         std::mt19937 random{seed};
-        Stage stage{two_inputs, canvas};
+        PlayerFixture fixture{two_inputs, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};
         Time time;
         for (int round = 0; round < 60; ++round) {
@@ -119,19 +119,19 @@ TEST_CASE("the panel shows what a full redraw would, however inputs and time mov
                 time = {static_cast<std::int32_t>(random() % (30 * 1024))};
             for (std::uint32_t input = 0; input < 2; ++input)
                 if (random() % 3 == 0)
-                    stage.player.set_input(input, {static_cast<std::int32_t>(random() % 65537)});
-            stage.player.show(time);
+                    fixture.player.set_input(input, {static_cast<std::int32_t>(random() % 65537)});
+            fixture.player.show(time);
             if (random() % 5 == 0)
                 continue; // never drawn
             if (random() % 5 == 0)
-                stage.player.set_input(random() % 2,
-                                       {static_cast<std::int32_t>(random() % 65537)}); // too late
-            Stage fresh{stage.bytes, canvas};
-            bring_up_to_date(stage, memory, 5);
-            stage.player.show(time);
+                fixture.player.set_input(random() % 2,
+                                         {static_cast<std::int32_t>(random() % 65537)}); // too late
+            PlayerFixture fresh{fixture.bytes, canvas};
+            bring_up_to_date(fixture, memory, 5);
+            fixture.player.show(time);
             for (std::uint32_t input = 0; input < 2; ++input)
-                fresh.player.set_input(input, stage.player.input(input));
-            bring_up_to_date(stage, memory, 5);
+                fresh.player.set_input(input, fixture.player.input(input));
+            bring_up_to_date(fixture, memory, 5);
             REQUIRE(memory.bytes() == fresh.picture(time));
         }
     }
@@ -139,19 +139,19 @@ TEST_CASE("the panel shows what a full redraw would, however inputs and time mov
 
 TEST_CASE("an input that moves nothing that is seen sends nothing, and one that stays put neither")
 {
-    Stage stage{two_inputs, canvas};
+    PlayerFixture fixture{two_inputs, canvas};
     PanelMemory<PixelFormat::rgb565> memory{canvas};
-    stage.player.show({});
-    bring_up_to_date(stage, memory, 40);
-    stage.player.set_input(0, stage.player.input(0));
-    stage.player.show({});
-    CHECK(bring_up_to_date(stage, memory, 40).areas == 0);
-    stage.player.set_input(1, {1});
-    stage.player.show({});
-    CHECK(bring_up_to_date(stage, memory, 40).bytes < 100 * 2);
-    stage.player.set_input(0, {40'000});
-    stage.player.show({});
-    CHECK(bring_up_to_date(stage, memory, 40).areas > 0);
+    fixture.player.show({});
+    bring_up_to_date(fixture, memory, 40);
+    fixture.player.set_input(0, fixture.player.input(0));
+    fixture.player.show({});
+    CHECK(bring_up_to_date(fixture, memory, 40).areas == 0);
+    fixture.player.set_input(1, {1});
+    fixture.player.show({});
+    CHECK(bring_up_to_date(fixture, memory, 40).bytes < 100 * 2);
+    fixture.player.set_input(0, {40'000});
+    fixture.player.show({});
+    CHECK(bring_up_to_date(fixture, memory, 40).areas > 0);
 }
 
 TEST_CASE("outlines have room wherever inputs stand")
@@ -163,11 +163,11 @@ TEST_CASE("outlines have room wherever inputs stand")
             text += " circle " + std::to_string(i) + " 20 r=6;";
         return text + "} }";
     }();
-    Stage stage{comb, canvas};
-    stage.player.set_input(0, whole_input);
-    stage.picture({});
-    CHECK_FALSE(stage.player.picture().outlines.is_full());
-    CHECK(stage.player.picture().coarseness == 0);
+    PlayerFixture fixture{comb, canvas};
+    fixture.player.set_input(0, whole_input);
+    fixture.picture({});
+    CHECK_FALSE(fixture.player.picture().outlines.is_full());
+    CHECK(fixture.player.picture().coarseness == 0);
 }
 
 }

@@ -2,7 +2,7 @@
 
 #include "core/bytes/crc32.hpp"
 #include "tests/core/moving_scenes.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ std::vector<Bytes> pictures_of(const RawScene& scene, const std::vector<Time>& t
     std::vector<Bytes> pictures;
     pictures.reserve(times.size());
     for (const Time time : times)
-        pictures.push_back(Stage{scene.file(), canvas}.picture(time));
+        pictures.push_back(PlayerFixture{scene.file(), canvas}.picture(time));
     return pictures;
 }
 
@@ -54,19 +54,19 @@ TEST_CASE("a picture is the same whether it is reached forwards, backwards or by
     const std::vector<Time> times = some_times();
     for (const RawScene& scene : moving_scenes()) {
         const std::vector<Bytes> pictures = pictures_of(scene, times);
-        Stage stage{scene.file(), canvas};
+        PlayerFixture fixture{scene.file(), canvas};
         for (std::size_t i = 0; i < times.size(); ++i)
-            REQUIRE(stage.picture(times[i]) == pictures[i]);
+            REQUIRE(fixture.picture(times[i]) == pictures[i]);
         for (std::size_t i = times.size(); i-- > 0;)
-            REQUIRE(stage.picture(times[i]) == pictures[i]);
+            REQUIRE(fixture.picture(times[i]) == pictures[i]);
         for (int round = 0; round < 60; ++round) {
             const std::size_t i = random() % times.size();
             if (round % 3 == 0) { // rows that are left undrawn do not matter either
-                stage.player.show({static_cast<std::int32_t>(random())});
+                fixture.player.show({static_cast<std::int32_t>(random())});
                 Bytes few_rows(60 * 2 * 7);
-                stage.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
+                fixture.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
             }
-            REQUIRE(stage.picture(times[i]) == pictures[i]);
+            REQUIRE(fixture.picture(times[i]) == pictures[i]);
         }
     }
 }
@@ -74,11 +74,11 @@ TEST_CASE("a picture is the same whether it is reached forwards, backwards or by
 TEST_CASE("the picture of what moves in space or is carried does not depend on the height of the bands")
 {
     for (const RawScene& scene : moving_scenes()) {
-        Stage stage{scene.file(), {61, 33}};
+        PlayerFixture fixture{scene.file(), {61, 33}};
         for (const int frame : {0, 7, 13, 22, 27}) {
-            const Bytes whole = stage.picture<PixelFormat::grey4>(Time::frame(frame));
+            const Bytes whole = fixture.picture<PixelFormat::grey4>(Time::frame(frame));
             for (const int band_rows : {1, 3, 8, 32})
-                CHECK(stage.picture<PixelFormat::grey4>(Time::frame(frame), band_rows) == whole);
+                CHECK(fixture.picture<PixelFormat::grey4>(Time::frame(frame), band_rows) == whole);
         }
     }
 }
@@ -88,10 +88,10 @@ TEST_CASE("no moment of what is carried or turned needs more steps than can be t
     std::mt19937 random{107};
     for (const RawScene& scene : moving_scenes())
         for (const Size panel : {canvas, Size{7, 5}, Size{480, 320}}) {
-            Stage stage{scene.file(), panel};
+            PlayerFixture fixture{scene.file(), panel};
             for (int round = 0; round < 1000; ++round) {
-                stage.player.show({static_cast<std::int32_t>(random())});
-                CHECK(stage.player.picture().step_count <= stage.scene.paint_steps());
+                fixture.player.show({static_cast<std::int32_t>(random())});
+                CHECK(fixture.player.picture().step_count <= fixture.scene.paint_steps());
             }
         }
 }

@@ -1,7 +1,7 @@
 #include "core/pixel/pixel_coding.hpp"
 #include "core/player.hpp"
 
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +54,8 @@ const std::string backdrop = "object sky fill=\"#3060c0\" { rect 0 0 40 18 }\n"
 template <PixelFormat format>
 Channels drawn(const std::string& items, Time time = {})
 {
-    Stage stage{"kfast 1\ncanvas 40 40 background=\"#102030\" frames=20\n" + items, {40, 40}};
-    return channels_of<format>(stage.picture<format>(time));
+    PlayerFixture fixture{"kfast 1\ncanvas 40 40 background=\"#102030\" frames=20\n" + items, {40, 40}};
+    return channels_of<format>(fixture.picture<format>(time));
 }
 
 constexpr bool is_rgb565(PixelFormat format)
@@ -105,27 +105,28 @@ constexpr int third = 77; ///< 0.3
 
 TEST_CASE("a colour's opacity mixes it with what is below, by its coverage")
 {
-    Stage stage{"kfast 1\ncanvas 4 1 background=\"#ff8000\"\n"
-                "object o fill=\"#0080ff80\" { rect 0 0 1 1; rect 2.5 0 0.5 1 }",
-                {4, 1}};
+    PlayerFixture fixture{"kfast 1\ncanvas 4 1 background=\"#ff8000\"\n"
+                          "object o fill=\"#0080ff80\" { rect 0 0 1 1; rect 2.5 0 0.5 1 }",
+                          {4, 1}};
     SUBCASE("rgb565")
     {
         // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; a half-covered pixel has half of 128
-        CHECK(channels_of<PixelFormat::rgb565>(stage.picture({})) ==
+        CHECK(channels_of<PixelFormat::rgb565>(fixture.picture({})) ==
               Channels{mixed(31, 0, 128), 32, mixed(0, 31, 128), 31, 32, 0, //
                        mixed(31, 0, 64), 32, mixed(0, 31, 64), 31, 32, 0});
     }
     SUBCASE("grey4")
     {
         // 152 below, 104 above: 128 and 140 are 8
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "8989");
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == "8989");
     }
 }
 
 TEST_CASE("the opacity of an object with one layer multiplies with that of its colour")
 {
     const auto levels = [](const std::string& object) {
-        return row_text(Stage{"kfast 1\ncanvas 2 1\n" + object, {2, 1}}.picture<PixelFormat::grey4>({}));
+        return row_text(
+            PlayerFixture{"kfast 1\ncanvas 2 1\n" + object, {2, 1}}.picture<PixelFormat::grey4>({}));
     };
     CHECK(levels("object o fill=white opacity=0.5 { rect 0 0 2 1 }") == "88");
     CHECK(levels("object o fill=\"#ffffff80\" opacity=0.5 { rect 0 0 2 1 }") == "44");
@@ -140,29 +141,31 @@ TEST_CASE("a layer alone in groups and symbols fades by its colour, with nothing
     const std::string symbol = "kfast 1\ncanvas 2 1\nsymbol s { object o fill=white { rect 0 0 2 1 } }\n";
     const auto expect = [&](const std::string& items, const std::string& levels) {
         CAPTURE(items);
-        Stage stage{symbol + items, {2, 1}};
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == levels);
-        CHECK(stage.scene.paint_steps() == 1);
-        CHECK(stage.scene.blended_depth() == 0);
+        PlayerFixture fixture{symbol + items, {2, 1}};
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == levels);
+        CHECK(fixture.scene.paint_steps() == 1);
+        CHECK(fixture.scene.blended_depth() == 0);
     };
     expect("use s opacity=0.5", "88");
     expect("group opacity=0.5 { use s opacity=0.5 }", "44");
     expect("group opacity=0.5 { group opacity=0.5 { use s x=1 } }", "04");
-    CHECK(Stage{symbol + "group opacity=0.5 { use s; use s x=1 }", {2, 1}}.scene.blended_depth() == 1);
+    CHECK(PlayerFixture{symbol + "group opacity=0.5 { use s; use s x=1 }", {2, 1}}.scene.blended_depth() ==
+          1);
 }
 
 TEST_CASE("a layer alone in groups fades with them though it stands still")
 {
-    Stage stage{"kfast 1\ncanvas 2 1 frames=16\n"
-                "group { key 0 opacity=1; key 15 opacity=0\n object o fill=white { rect 0 0 2 1 } }\n",
-                {2, 1}};
+    PlayerFixture fixture{
+        "kfast 1\ncanvas 2 1 frames=16\n"
+        "group { key 0 opacity=1; key 15 opacity=0\n object o fill=white { rect 0 0 2 1 } }\n",
+        {2, 1}};
     Bytes pixels(1);
     for (int frame = 0; frame < 16; ++frame) {
-        stage.player.show(Time::frame(frame));
-        const auto changes = stage.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
+        fixture.player.show(Time::frame(frame));
+        const auto changes = fixture.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
         REQUIRE(changes.size() == 1);
         CHECK(changes.front().pixels.front() == std::byte((15 - frame) * 0x11));
-        stage.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
+        fixture.player.draw_changes<PixelFormat::grey4>(pixels, {2, 1}, 0);
     }
 }
 
@@ -171,15 +174,15 @@ TEST_CASE("a layer in as many groups as there may be fades by its colour")
     std::string text = "object o fill=white { rect 0 0 2 1 }";
     for (std::uint32_t depth = 0; depth < kfb::max_depth; ++depth)
         text = "group opacity=0.5 { " + text + " }";
-    Stage stage{"kfast 1\ncanvas 2 1\n" + text, {2, 1}};
-    CHECK(stage.scene.paint_steps() == 1);
-    CHECK(stage.scene.blended_depth() == 0);
+    PlayerFixture fixture{"kfast 1\ncanvas 2 1\n" + text, {2, 1}};
+    CHECK(fixture.scene.paint_steps() == 1);
+    CHECK(fixture.scene.blended_depth() == 0);
 }
 
 TEST_CASE("an object's own colours let its fill shine through its stroke, its opacity does not")
 {
     const auto levels = [](const std::string& properties) {
-        return row_text(Stage{
+        return row_text(PlayerFixture{
             "kfast 1\ncanvas 6 1\nobject o " + properties + " { rect 2 -9 9 19 }",
             {6, 1}}.picture<PixelFormat::grey4>({}));
     };
@@ -295,24 +298,24 @@ TEST_CASE("what has no opacity or is invisible is not even traced")
              {"group " + hidden + " {\n" + overlapping + "}\n", badge + " " + hidden + badge_shape,
               "symbol s {\n" + overlapping + "}\nuse s " + hidden + "\n",
               "object one fill=red " + hidden + badge_shape}) {
-            Stage stage{"kfast 1\ncanvas 40 40\n" + items, {40, 40}};
-            CHECK(stage.player.picture().outlines.needed_bytes() == 0);
-            CHECK(stage.player.picture().step_count == 0);
-            CHECK(stage.picture({}) == Bytes(40 * 40 * 2));
+            PlayerFixture fixture{"kfast 1\ncanvas 40 40\n" + items, {40, 40}};
+            CHECK(fixture.player.picture().outlines.needed_bytes() == 0);
+            CHECK(fixture.player.picture().step_count == 0);
+            CHECK(fixture.picture({}) == Bytes(40 * 40 * 2));
         }
     }
 }
 
 TEST_CASE("only what is transparent at the moment is blended")
 {
-    Stage stage{"kfast 1\ncanvas 40 40 frames=20\n"
-                "group { key 0 opacity=1; key 10 opacity=0.5\n" +
-                    overlapping + "}\n",
-                {40, 40}};
-    CHECK(stage.scene.paint_steps() == 5);
-    CHECK(stage.player.picture().step_count == 3);
-    stage.player.show(Time::frame(5));
-    CHECK(stage.player.picture().step_count == 5);
+    PlayerFixture fixture{"kfast 1\ncanvas 40 40 frames=20\n"
+                          "group { key 0 opacity=1; key 10 opacity=0.5\n" +
+                              overlapping + "}\n",
+                          {40, 40}};
+    CHECK(fixture.scene.paint_steps() == 5);
+    CHECK(fixture.player.picture().step_count == 3);
+    fixture.player.show(Time::frame(5));
+    CHECK(fixture.player.picture().step_count == 5);
 }
 
 }

@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -23,7 +23,7 @@ std::string scene_with(const std::string& items)
 
 Bytes picture_of(const std::string& items, Time time = {})
 {
-    return Stage{scene_with(items), {40, 40}}.picture(time);
+    return PlayerFixture{scene_with(items), {40, 40}}.picture(time);
 }
 
 /// Whether no channel of a pixel differs by more than a step of five bits: corners are placed after they were
@@ -222,7 +222,7 @@ TEST_CASE("keys of a group move all that is inside, and only that")
 TEST_CASE("the panel's map applies to all that is placed")
 {
     const auto on_panel = [](const std::string& items) {
-        return Stage{scene_with(items), {80, 100}}.picture({});
+        return PlayerFixture{scene_with(items), {80, 100}}.picture({});
     };
     CHECK(on_panel("group x=7 y=4 { object o" + style + "{ polygon 3 3 15 4 8 16 } }") ==
           on_panel("object o" + style + "{ polygon 10 7 22 8 15 20 }"));
@@ -253,7 +253,8 @@ TEST_CASE("width and colours go along their tracks")
     check_same("object o fill=red stroke=white { key 0 { rect 5 5 20 20 }; key 5 fill=red stroke=white; "
                "key 15 fill=blue stroke=black }",
                "object o fill=\"#800080\" stroke=\"#808080\" { rect 5 5 20 20 }", Time::frame(10));
-    Stage thin{scene_with("object o stroke=white { key 0 { line 5 20 35 20 }; key 20 width=0 }"), {40, 40}};
+    PlayerFixture thin{scene_with("object o stroke=white { key 0 { line 5 20 35 20 }; key 20 width=0 }"),
+                       {40, 40}};
     thin.player.show_moment(Time::frame(20));
     Bytes pixels(40 * 40 * 2);
     thin.player.draw_rows<PixelFormat::rgb565>(40, pixels);
@@ -263,7 +264,7 @@ TEST_CASE("width and colours go along their tracks")
 TEST_CASE("what two outlines go around is a hole by the rule even-odd, not by nonzero")
 {
     const auto ring = [](const std::string& rule) {
-        return row_text(Stage{
+        return row_text(PlayerFixture{
             "kfast 1\ncanvas 4 4\nobject o fill=white rule=" + rule + " { rect 0 0 4 4; rect 1 1 2 2 }",
             {4, 4}}.picture<PixelFormat::grey4>({}));
     };

@@ -4,7 +4,7 @@
 #include "host/compiler/write/header.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/panel_memory.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <array>
@@ -57,7 +57,7 @@ Bytes with_cache_bytes(std::string_view text, std::uint32_t bytes)
 }
 
 /// How often something is done to show a frame.
-std::uint32_t done_at(Stage& stage, int frame, Op op)
+std::uint32_t done_at(PlayerFixture& fixture, int frame, Op op)
 {
     class Counter : public OpCounter {
     public:
@@ -67,7 +67,7 @@ std::uint32_t done_at(Stage& stage, int frame, Op op)
     } counter;
     counter.counts = counter.all.data();
     op_counter = &counter;
-    stage.player.show_moment(Time::frame(frame));
+    fixture.player.show_moment(Time::frame(frame));
     op_counter = nullptr;
     return counter.all[static_cast<std::size_t>(op)];
 }
@@ -75,10 +75,10 @@ std::uint32_t done_at(Stage& stage, int frame, Op op)
 TEST_CASE("how much room the cache has does not change a picture")
 {
     for (const std::string_view text : {mover, shifter, everything}) {
-        Stage none{with_cache_bytes(text, 0), {60, 40}};
+        PlayerFixture none{with_cache_bytes(text, 0), {60, 40}};
         for (const std::uint32_t bytes : {4U, 100U, 300U, 700U, 4000U}) {
             std::mt19937 random{bytes};
-            Stage some{with_cache_bytes(text, bytes), {60, 40}};
+            PlayerFixture some{with_cache_bytes(text, bytes), {60, 40}};
             PanelMemory<PixelFormat::rgb565> memory{{60, 40}};
             for (int round = 0; round < rounds(120); ++round) {
                 const Time moment{
@@ -94,8 +94,8 @@ TEST_CASE("how much room the cache has does not change a picture")
 TEST_CASE("nor does it on panels of other sizes")
 {
     for (const Size panel : {Size{30, 20}, Size{100, 90}, Size{240, 160}}) {
-        Stage none{with_cache_bytes(mover, 0), panel};
-        Stage some{compiled(mover), panel};
+        PlayerFixture none{with_cache_bytes(mover, 0), panel};
+        PlayerFixture some{compiled(mover), panel};
         for (int frame = 0; frame < rounds(30); ++frame)
             REQUIRE(some.picture(Time::frame(frame)) == none.picture(Time::frame(frame)));
     }
@@ -119,21 +119,21 @@ TEST_CASE("the compiler leaves room for contours of what moves as a whole, and f
 
 TEST_CASE("contours that have room are not made anew in each picture")
 {
-    Stage stage{compiled(mover), {60, 40}};
-    stage.player.show_moment(Time::frame(3));
-    const std::size_t bytes = stage.player.picture().cache.bytes_in_use();
+    PlayerFixture fixture{compiled(mover), {60, 40}};
+    fixture.player.show_moment(Time::frame(3));
+    const std::size_t bytes = fixture.player.picture().cache.bytes_in_use();
     CHECK(bytes > 0);
-    Stage without_room{with_cache_bytes(mover, 0), {60, 40}};
-    CHECK(done_at(stage, 4, Op::curve) < done_at(without_room, 4, Op::curve)); // squashed: in its place
-    CHECK(stage.player.picture().cache.bytes_in_use() == bytes);
+    PlayerFixture without_room{with_cache_bytes(mover, 0), {60, 40}};
+    CHECK(done_at(fixture, 4, Op::curve) < done_at(without_room, 4, Op::curve)); // squashed: in its place
+    CHECK(fixture.player.picture().cache.bytes_in_use() == bytes);
 }
 
 TEST_CASE("drawings are read and made equal once between two keys, in any order of moments")
 {
     const std::string text = "kfast 1\ncanvas 40 40 frames=31\nobject o fill=red { key 0 { circle 9 9 r=4 }; "
                              "key 10 { circle 20 9 r=8 }; key 20 { circle 20 20 r=5 } }";
-    Stage stage{compiled(text), {40, 40}};
-    const auto reads_at = [&stage](int frame) { return done_at(stage, frame, Op::segment); };
+    PlayerFixture fixture{compiled(text), {40, 40}};
+    const auto reads_at = [&fixture](int frame) { return done_at(fixture, frame, Op::segment); };
     CHECK(reads_at(1) == 0); // they were for frame 0
     CHECK(reads_at(7) == 0);
     CHECK(reads_at(2) == 0);
@@ -143,7 +143,7 @@ TEST_CASE("drawings are read and made equal once between two keys, in any order 
     CHECK(reads_at(9) == 8);
     CHECK(reads_at(25) == 4);
     CHECK(reads_at(28) == 0);
-    Stage without_room{with_cache_bytes(text, 0), {40, 40}};
+    PlayerFixture without_room{with_cache_bytes(text, 0), {40, 40}};
     CHECK(done_at(without_room, 7, Op::segment) == 8);
     CHECK(done_at(without_room, 8, Op::segment) == 8);
 }

@@ -1,7 +1,7 @@
 #include "core/player.hpp"
 
 #include "tests/core/moving_scenes.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ RawScene tracked_scene(const scene::Drawing& drawing, int count, const Bytes& tr
 
 Bytes picture_of(const scene::Drawing& drawing, int count, const Bytes& tracks, Size panel = canvas)
 {
-    return Stage{tracked_scene(drawing, count, tracks).file(), panel}.picture({});
+    return PlayerFixture{tracked_scene(drawing, count, tracks).file(), panel}.picture({});
 }
 
 }
@@ -64,7 +64,8 @@ TEST_CASE("what is seen from its edge leaves no fill")
                           bytes({1}), one_key()});
     RawScene nothing_there = moving::empty_scene();
     nothing_there.items = {};
-    CHECK(Stage{scene.file(), canvas}.picture({}) == Stage{nothing_there.file(), canvas}.picture({}));
+    CHECK(PlayerFixture{scene.file(), canvas}.picture({}) ==
+          PlayerFixture{nothing_there.file(), canvas}.picture({}));
 }
 
 TEST_CASE("groups turn in one space with what they hold")
@@ -75,13 +76,15 @@ TEST_CASE("groups turn in one space with what they hold")
     nested.items =
         joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, 16384),
                 block(joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, -16384), block(inner)}))});
-    CHECK(Stage{nested.file(), canvas}.picture({}) == picture_of(flag, 1, fixed_track(Property::z, 160)));
+    CHECK(PlayerFixture{nested.file(), canvas}.picture({}) ==
+          picture_of(flag, 1, fixed_track(Property::z, 160)));
     // turned by a quarter, what lay 10 px nearer lies 10 px to the right
     nested.items =
         joined({bytes({0x05, 1}), fixed_track(Property::rotation_y, 16384),
                 block(joined({bytes({0x1C, 2}), fixed_track(Property::z, 160),
                               fixed_track(Property::rotation_y, -16384), moving::style(), one_key()}))});
-    CHECK(Stage{nested.file(), canvas}.picture({}) == picture_of(flag, 1, fixed_track(Property::x, 160)));
+    CHECK(PlayerFixture{nested.file(), canvas}.picture({}) ==
+          picture_of(flag, 1, fixed_track(Property::x, 160)));
 }
 
 TEST_CASE("curves are projected piece by piece: a circle that is tilted stays symmetrical")
@@ -92,8 +95,8 @@ TEST_CASE("curves are projected piece by piece: a circle that is tilted stays sy
                     moving::curve_to(40, 26, 36, 30, 30, 30), moving::curve_to(24, 30, 20, 26, 20, 20)})}};
     const Bytes tilted = joined({fixed_track(Property::rotation_x, 9000), fixed_track(Property::pivot_x, 480),
                                  fixed_track(Property::pivot_y, 320)});
-    Stage stage{tracked_scene(round, 3, tilted).file(), canvas};
-    const Bytes grey = stage.picture<PixelFormat::grey4>({});
+    PlayerFixture fixture{tracked_scene(round, 3, tilted).file(), canvas};
+    const Bytes grey = fixture.picture<PixelFormat::grey4>({});
     for (int row = 0; row < 40; ++row) {
         const auto begin = grey.begin() + row * 30;
         const std::string text = row_text({begin, begin + 30});

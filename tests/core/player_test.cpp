@@ -2,7 +2,7 @@
 
 #include "core/bytes/crc32.hpp"
 #include "tests/core/everything.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -35,11 +35,11 @@ TEST_CASE_TEMPLATE("the picture does not depend on the height of the bands", For
 {
     constexpr PixelFormat format = Format::value;
     for (const std::string_view text : {busy_scene, everything}) {
-        Stage stage{text, {60, 40}};
+        PlayerFixture fixture{text, {60, 40}};
         for (const int frame : {0, 4, 13, 22, 27}) {
-            const Bytes whole = stage.picture<format>(Time::frame(frame));
+            const Bytes whole = fixture.picture<format>(Time::frame(frame));
             for (const int band_rows : {1, 3, 8, 39})
-                CHECK(stage.picture<format>(Time::frame(frame), band_rows) == whole);
+                CHECK(fixture.picture<format>(Time::frame(frame), band_rows) == whole);
         }
     }
 }
@@ -48,13 +48,13 @@ TEST_CASE("the picture does not depend on what was shown before, nor on rows tha
 {
     std::mt19937 random{31};
     for (const std::string_view text : {busy_scene, everything}) {
-        Stage travelled{text, {60, 40}};
+        PlayerFixture travelled{text, {60, 40}};
         for (int round = 0; round < 40; ++round) {
             const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
             travelled.player.show({static_cast<std::int32_t>(random())});
             Bytes few_rows(60 * 2 * 7);
             travelled.player.draw_rows<PixelFormat::rgb565>(7, few_rows);
-            Stage fresh{travelled.bytes, {60, 40}};
+            PlayerFixture fresh{travelled.bytes, {60, 40}};
             CHECK(travelled.picture(time) == fresh.picture(time));
         }
     }
@@ -65,21 +65,21 @@ TEST_CASE("no moment needs more memory for outlines, or more steps, than the sce
     std::mt19937 random{32};
     for (const std::string_view text : {busy_scene, everything})
         for (const Size panel : {Size{60, 40}, Size{7, 5}, Size{240, 240}}) {
-            Stage stage{text, panel};
+            PlayerFixture fixture{text, panel};
             std::size_t max_bytes = 0;
             std::size_t max_steps = 0;
             for (int round = 0; round < 3000; ++round) {
-                stage.player.show({static_cast<std::int32_t>(random())});
-                const raster::Picture& picture = stage.player.picture();
+                fixture.player.show({static_cast<std::int32_t>(random())});
+                const raster::Picture& picture = fixture.player.picture();
                 CHECK(picture.coarseness == 0);
                 max_bytes = std::max(max_bytes, picture.outlines.needed_bytes());
                 max_steps = std::max(max_steps, picture.step_count);
             }
             if (panel.width <= 60) {
-                CHECK(max_bytes <= stage.scene.outline_bytes());
-                CHECK(max_bytes > stage.scene.outline_bytes() / 4); // the bound is not a guess far off
+                CHECK(max_bytes <= fixture.scene.outline_bytes());
+                CHECK(max_bytes > fixture.scene.outline_bytes() / 4); // the bound is not a guess far off
             }
-            CHECK(max_steps == stage.scene.paint_steps());
+            CHECK(max_steps == fixture.scene.paint_steps());
         }
 }
 
@@ -147,8 +147,8 @@ TEST_CASE("a block that is one byte short is refused")
 
 TEST_CASE("on a key the drawing is the one that was drawn, whatever the neighbours have")
 {
-    Stage morphing{busy_scene, {60, 40}};
-    Stage still{R"(
+    PlayerFixture morphing{busy_scene, {60, 40}};
+    PlayerFixture still{R"(
 kfast 1
 canvas 60 40 background="#203040" frames=30
 object morph fill="#ff8000" stroke=white width=3 cap=round join=round {
@@ -159,7 +159,7 @@ object zigzag stroke="#00ff80" width=5 cap=square join=miter {
     key 30 { line 30 0 31 40 32 0 33 40 34 0 35 40 }
 }
 )",
-                {60, 40}};
+                        {60, 40}};
     CHECK(morphing.picture(Time::frame(10)) == still.picture(Time::frame(10)));
 }
 
@@ -173,8 +173,8 @@ object box fill=white {
     key 8 { rect 4 3 2 1 }
 }
 )";
-    Stage stage{text, {8, 4}};
-    const Bytes picture = stage.picture<PixelFormat::grey4>(Time::frame(4));
+    PlayerFixture fixture{text, {8, 4}};
+    const Bytes picture = fixture.picture<PixelFormat::grey4>(Time::frame(4));
     // y: 3 (1 - cos 45 degrees) = 0.879
     CHECK(row_text(picture) == "00220000"
                                "00dd0000"
@@ -185,11 +185,12 @@ object box fill=white {
 TEST_CASE("loop modes wrap any time")
 {
     const auto crc_at = [](std::string_view loop, int ticks) {
-        Stage stage{"kfast 1\ncanvas 16 8 frames=10 loop=" + std::string{loop} +
-                        "\nobject box fill=white { key 0 { rect 0 0 4 4 }; key 10 { rect 12 4 4 4 } }",
-                    {16, 8}};
+        PlayerFixture fixture{
+            "kfast 1\ncanvas 16 8 frames=10 loop=" + std::string{loop} +
+                "\nobject box fill=white { key 0 { rect 0 0 4 4 }; key 10 { rect 12 4 4 4 } }",
+            {16, 8}};
         Crc32 crc;
-        crc.add(stage.picture({ticks}));
+        crc.add(fixture.picture({ticks}));
         return crc.value();
     };
     constexpr int length = 10 * 1024;
@@ -212,17 +213,17 @@ TEST_CASE("a moment is not wrapped: the end of a scene that repeats can be shown
                "\nobject box fill=white { key 0 { rect 0 0 4 4 }; key 10 { rect 12 4 4 4 } }";
     };
     const auto moment = [&text](const std::string& loop, Time time) {
-        Stage stage{text(loop), {16, 8}};
-        stage.player.show_moment(time);
+        PlayerFixture fixture{text(loop), {16, 8}};
+        fixture.player.show_moment(time);
         Bytes pixels(16 * 8 * 2);
-        stage.player.draw_rows<PixelFormat::rgb565>(8, pixels);
+        fixture.player.draw_rows<PixelFormat::rgb565>(8, pixels);
         return pixels;
     };
-    Stage once{text("once"), {16, 8}};
+    PlayerFixture once{text("once"), {16, 8}};
     const Bytes begin = once.picture({});
     const Bytes end = once.picture(Time::frame(10));
     REQUIRE(begin != end);
-    Stage repeating{text("repeat"), {16, 8}};
+    PlayerFixture repeating{text("repeat"), {16, 8}};
     CHECK(repeating.picture(Time::frame(10)) == begin);
     for (const std::string loop : {"once", "repeat", "ping-pong"}) {
         CHECK(moment(loop, Time::frame(10)) == end);
@@ -237,22 +238,22 @@ TEST_CASE("the canvas is laid on panels of other shapes")
     constexpr std::string_view text = "kfast 1\ncanvas 4 2\nobject all fill=white { rect 0 0 4 2 }";
     SUBCASE("contain: whole, background above and below")
     {
-        Stage stage{text, {8, 8}, Fit::contain};
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) ==
+        PlayerFixture fixture{text, {8, 8}, Fit::contain};
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) ==
               std::string(16, '0') + std::string(32, 'f') + std::string(16, '0'));
     }
     SUBCASE("cover: no background left")
     {
-        Stage stage{text, {8, 8}, Fit::cover};
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == std::string(64, 'f'));
+        PlayerFixture fixture{text, {8, 8}, Fit::cover};
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == std::string(64, 'f'));
     }
     SUBCASE("none: pixel for pixel in the middle")
     {
-        Stage stage{text, {8, 4}, Fit::none};
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "00000000"
-                                                                 "00ffff00"
-                                                                 "00ffff00"
-                                                                 "00000000");
+        PlayerFixture fixture{text, {8, 4}, Fit::none};
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == "00000000"
+                                                                   "00ffff00"
+                                                                   "00ffff00"
+                                                                   "00000000");
     }
 }
 
@@ -260,36 +261,36 @@ TEST_CASE("colours become those of the format")
 {
     constexpr std::string_view text = "kfast 1\ncanvas 2 1 background=\"#ff8000\"\n"
                                       "object half fill=\"#0080ff\" { rect 0.5 0 0.5 1 }";
-    Stage stage{text, {2, 1}};
+    PlayerFixture fixture{text, {2, 1}};
     SUBCASE("rgb565, little-endian; half covered is half of each")
     {
         // ff8000 is 31, 32, 0; 0080ff is 0, 32, 31; half between them is 16, 32, 16
         constexpr int mixed = 16 << 11 | 32 << 5 | 16;
         constexpr int back = 31 << 11 | 32 << 5;
-        CHECK(stage.picture({}) == Bytes{std::byte{mixed & 255}, std::byte{mixed >> 8}, std::byte{back & 255},
-                                         std::byte{back >> 8}});
+        CHECK(fixture.picture({}) == Bytes{std::byte{mixed & 255}, std::byte{mixed >> 8},
+                                           std::byte{back & 255}, std::byte{back >> 8}});
     }
     SUBCASE("grey: 0.30 red, 0.59 green, 0.11 blue")
     {
         // ff8000: 152 -> 9; 0080ff: 104 -> 6; half: 128 -> 8
-        CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "89");
+        CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == "89");
     }
     SUBCASE("one bit: the brighter half is lit, leftmost pixel in the highest bit")
     {
-        CHECK(stage.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b11000000}}); // 128 and 152 of 255
-        Stage darker{"kfast 1\ncanvas 2 1 background=\"#ff8000\"\n"
-                     "object half fill=\"#0070ff\" { rect 0.5 0 0.5 1 }",
-                     {2, 1}};
+        CHECK(fixture.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b11000000}}); // 128 and 152 of 255
+        PlayerFixture darker{"kfast 1\ncanvas 2 1 background=\"#ff8000\"\n"
+                             "object half fill=\"#0070ff\" { rect 0.5 0 0.5 1 }",
+                             {2, 1}};
         CHECK(darker.picture<PixelFormat::mono1>({}) == Bytes{std::byte{0b01000000}}); // 123 and 152
     }
 }
 
 TEST_CASE("later objects lie on earlier ones")
 {
-    Stage stage{
+    PlayerFixture fixture{
         "kfast 1\ncanvas 3 1\nobject a fill=white { rect 0 0 2 1 }\nobject b fill=black { rect 1 0 2 1 }",
         {3, 1}};
-    CHECK(row_text(stage.picture<PixelFormat::grey4>({})) == "f000");
+    CHECK(row_text(fixture.picture<PixelFormat::grey4>({})) == "f000");
 }
 
 }

@@ -1,7 +1,7 @@
 #include "core/player.hpp"
 
 #include "tests/core/panel_memory.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <algorithm>
@@ -52,10 +52,10 @@ TEST_CASE("a label has the same bits as a text that is written")
 {
     for (const Frame& frame : frames) {
         CAPTURE(frame.before);
-        Stage label{with_text("0-9A-Za-z:%,-", 12, frame.before + "input=t" + frame.after), canvas};
+        PlayerFixture label{with_text("0-9A-Za-z:%,-", 12, frame.before + "input=t" + frame.after), canvas};
         for (const std::string text : {"12:30", "W,i", "  -7 %", "AVAToy", "x"}) {
-            Stage fixed{"kfast 1\ncanvas 120 60 frames=20\n" + frame.before + '"' + text + '"' + frame.after,
-                        canvas};
+            PlayerFixture fixed{
+                "kfast 1\ncanvas 120 60 frames=20\n" + frame.before + '"' + text + '"' + frame.after, canvas};
             label.player.set_text(0, text);
             for (const int time : {0, 7})
                 REQUIRE(label.picture(Time::frame(time)) == fixed.picture(Time::frame(time)));
@@ -66,9 +66,9 @@ TEST_CASE("a label has the same bits as a text that is written")
 TEST_CASE("a label shows its usual text until another is told")
 {
     const std::string object = "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans }";
-    Stage default_value{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object,
-                        canvas};
-    Stage empty{with_text("ab", 3, object), canvas};
+    PlayerFixture default_value{
+        "kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\n" + object, canvas};
+    PlayerFixture empty{with_text("ab", 3, object), canvas};
     CHECK(default_value.picture({}) != empty.picture({}));
     empty.player.set_text(0, "ab");
     CHECK(default_value.picture({}) == empty.picture({}));
@@ -81,12 +81,12 @@ TEST_CASE("what has no glyph and what is too long is left out")
 {
     const std::string text =
         with_text("ab", 3, "object o stroke=red { text input=t at=\"9,40\" size=20 font=hershey-sans }");
-    Stage stage{text, canvas};
-    Stage clean{text, canvas};
-    const auto shows = [&](std::string_view told, std::string_view seen) {
-        stage.player.set_text(0, told);
+    PlayerFixture fixture{text, canvas};
+    PlayerFixture clean{text, canvas};
+    const auto shows = [&](std::string_view sent_text, std::string_view seen) {
+        fixture.player.set_text(0, sent_text);
         clean.player.set_text(0, seen);
-        return stage.picture({}) == clean.picture({});
+        return fixture.picture({}) == clean.picture({});
     };
     CHECK(shows("abab", "aba"));
     CHECK(shows("xa\nyb\xC3\xA4z", "ab"));
@@ -101,20 +101,21 @@ TEST_CASE("what has no glyph and what is too long is left out")
 
 TEST_CASE("a text that stays costs nothing, and one that changes sends its borders")
 {
-    Stage stage{with_text("0-9", 8,
-                          "object still fill=blue { rect 0 0 20 9 }\n"
-                          "object o stroke=white { text input=t at=\"4,40\" size=20 font=hershey-sans }"),
-                canvas};
+    PlayerFixture fixture{
+        with_text("0-9", 8,
+                  "object still fill=blue { rect 0 0 20 9 }\n"
+                  "object o stroke=white { text input=t at=\"4,40\" size=20 font=hershey-sans }"),
+        canvas};
     PanelMemory<PixelFormat::rgb565> memory{canvas};
-    stage.player.set_text(0, "12345678");
-    stage.player.show({});
-    bring_up_to_date(stage, memory, 40);
-    stage.player.set_text(0, "12345678");
-    stage.player.show(Time::frame(3));
-    CHECK(bring_up_to_date(stage, memory, 40).areas == 0);
-    stage.player.set_text(0, "12345679");
-    stage.player.show(Time::frame(3));
-    const auto sent = bring_up_to_date(stage, memory, 40);
+    fixture.player.set_text(0, "12345678");
+    fixture.player.show({});
+    bring_up_to_date(fixture, memory, 40);
+    fixture.player.set_text(0, "12345678");
+    fixture.player.show(Time::frame(3));
+    CHECK(bring_up_to_date(fixture, memory, 40).areas == 0);
+    fixture.player.set_text(0, "12345679");
+    fixture.player.show(Time::frame(3));
+    const auto sent = bring_up_to_date(fixture, memory, 40);
     CHECK(sent.areas > 0);
     CHECK(sent.bytes < 8 * 10 * 20 * 2); // of 8 digits, with less than what lies around them
 }
@@ -133,7 +134,7 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
         "y=30 }";
     for (int seed = 0; seed < rounds(8); ++seed) {
         std::mt19937 random{static_cast<unsigned>(seed)};
-        Stage stage{scene, canvas};
+        PlayerFixture fixture{scene, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};
         std::string a = "17";
         std::string b;
@@ -143,17 +144,17 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
                 a = std::to_string(random() % 20'000);
             if (random() % 2 == 0)
                 b = std::string(random() % 12, static_cast<char>('a' + random() % 26));
-            stage.player.set_text(0, a);
-            stage.player.set_text(2, b);
-            stage.player.set_input(1, {static_cast<std::int32_t>(random() % 65537)});
-            stage.player.show(time);
+            fixture.player.set_text(0, a);
+            fixture.player.set_text(2, b);
+            fixture.player.set_input(1, {static_cast<std::int32_t>(random() % 65537)});
+            fixture.player.show(time);
             if (random() % 5 == 0)
                 continue; // never drawn
-            bring_up_to_date(stage, memory, 5);
-            Stage fresh{stage.bytes, canvas};
+            bring_up_to_date(fixture, memory, 5);
+            PlayerFixture fresh{fixture.bytes, canvas};
             fresh.player.set_text(0, a);
             fresh.player.set_text(2, b);
-            fresh.player.set_input(1, stage.player.input(1));
+            fresh.player.set_input(1, fixture.player.input(1));
             REQUIRE(memory.bytes() == fresh.picture(time));
         }
     }
@@ -161,15 +162,16 @@ TEST_CASE("the panel shows what a full redraw would, however texts and time move
 
 TEST_CASE("an input that is no text stays what it is, and so does a text that a place is told")
 {
-    Stage stage{"kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\ninput n default=1\n"
-                "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans; track x input=n { "
-                "at 0 0; at 1 9 } }",
-                canvas};
-    const Bytes picture = stage.picture({});
-    stage.player.set_text(1, "a");
-    stage.player.set_input(0, whole_input);
-    CHECK(stage.picture({}) == picture);
-    CHECK(stage.player.input(1) == whole_input);
+    PlayerFixture fixture{
+        "kfast 1\ncanvas 120 60\ninput t kind=text glyphs=ab max=3 default=ab\ninput n default=1\n"
+        "object o stroke=red { text input=t at=\"9,40\" size=32 font=hershey-sans; track x input=n { "
+        "at 0 0; at 1 9 } }",
+        canvas};
+    const Bytes picture = fixture.picture({});
+    fixture.player.set_text(1, "a");
+    fixture.player.set_input(0, whole_input);
+    CHECK(fixture.picture({}) == picture);
+    CHECK(fixture.player.input(1) == whole_input);
 }
 
 TEST_CASE("outlines have room for any text")
@@ -189,16 +191,16 @@ TEST_CASE("outlines have room for any text")
     std::mt19937 random{7};
     for (const std::string& object : objects) {
         CAPTURE(object);
-        Stage stage{with_text("!-~", 20, object), canvas};
+        PlayerFixture fixture{with_text("!-~", 20, object), canvas};
         for (int round = 0; round < 95 + 100; ++round) {
             std::string text;
             for (int i = 0; i < 20; ++i)
                 text += static_cast<char>(round < 94 ? '!' + round : '!' + static_cast<int>(random() % 94));
-            stage.player.set_text(0, text);
+            fixture.player.set_text(0, text);
             for (const int ticks : {0, 5000, 20'450, 20'479}) {
-                stage.player.show_moment({ticks});
-                REQUIRE_FALSE(stage.player.picture().outlines.is_full());
-                REQUIRE(stage.player.picture().coarseness == 0);
+                fixture.player.show_moment({ticks});
+                REQUIRE_FALSE(fixture.player.picture().outlines.is_full());
+                REQUIRE(fixture.player.picture().coarseness == 0);
             }
         }
     }

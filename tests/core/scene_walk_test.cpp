@@ -1,8 +1,8 @@
 #include "core/scene_walk.hpp"
 
 #include "tests/core/moved_scene.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/core/raw_scene.hpp"
-#include "tests/core/stage.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -177,7 +177,7 @@ void put(Player& player, std::uint32_t input, std::uint32_t round)
 }
 
 /// Tells all texts something else each time, longer than any may be.
-void tell_texts(const SceneView& scene, Player& player, std::size_t round)
+void set_texts(const SceneView& scene, Player& player, std::size_t round)
 {
     std::uint32_t number = 0;
     for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
@@ -211,7 +211,7 @@ void play(std::span<const std::byte> bytes)
     for (Time time; time <= scene->length(); time.ticks += step) {
         for (std::uint32_t input = 0; input < scene->input_count(); ++input)
             put(*player, input, static_cast<std::uint32_t>(drawn));
-        tell_texts(*scene, *player, drawn);
+        set_texts(*scene, *player, drawn);
         player->show(time);
         demand(player->picture().step_count <= scene->paint_steps());
         if (player->picture().outlines.needed_bytes() > max_drawn_bytes)

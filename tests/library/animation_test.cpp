@@ -13,10 +13,11 @@ TEST_CASE("the C++ animation draws the same")
 {
     const Bytes scene = compiled(moving);
     std::vector<std::uint32_t> block(*Animation::block_bytes(scene, {width, height}) / 4 + 1);
-    const auto lent = std::as_writable_bytes(std::span{block});
-    CHECK(Animation::create(scene, {width, height}, lent.first(8)).error() == Error::block_too_small);
-    CHECK(Animation::create(std::span{scene}.first(20), {width, height}, lent).error() == Error::truncated);
-    auto animation = Animation::create(scene, {width, height}, lent);
+    const auto borrowed = std::as_writable_bytes(std::span{block});
+    CHECK(Animation::create(scene, {width, height}, borrowed.first(8)).error() == Error::block_too_small);
+    CHECK(Animation::create(std::span{scene}.first(20), {width, height}, borrowed).error() ==
+          Error::truncated);
+    auto animation = Animation::create(scene, {width, height}, borrowed);
     REQUIRE(animation);
     CHECK_FALSE(animation->choose_clip("forth"));
     CHECK(animation->choose_clip("back"));

@@ -2,7 +2,7 @@
 
 #include "host/compiler/write/header.hpp"
 #include "library/kfast.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/library/screen.hpp"
 
 #include <array>
@@ -119,8 +119,8 @@ TEST_CASE("a drawing shows what it is set to, stroke by stroke, and its usual st
         CHECK(kfast_show(screen.player, 0) == KFAST_OK);
         screen.draw(2 * width);
         return screen.pixels() ==
-               Stage{std::string{begin} + "object o stroke=lime { " + shapes + " }", {width, height}}.picture(
-                   {});
+               PlayerFixture{std::string{begin} + "object o stroke=lime { " + shapes + " }", {width, height}}
+                   .picture({});
     };
     CHECK(shows("line 1 1 9 9"));
     const kfast_point points[] = {{16, 16}, {160, 32}, {24, 80}, {16, 240}, {320, 240}, {0, 0}};
@@ -221,10 +221,10 @@ TEST_CASE("what cannot be played is refused by name")
     const Bytes scene = compiled(moving);
     std::vector<std::byte> block(kfast_block_bytes(scene.data(), scene.size(), width, height));
     kfast_player* player = nullptr;
-    const auto refused = [&](const Bytes& bytes, std::size_t lent, int columns, int rows) {
+    const auto refused = [&](const Bytes& bytes, std::size_t borrowed, int columns, int rows) {
         player = reinterpret_cast<kfast_player*>(&block);
         const kfast_error error =
-            kfast_create(&player, block.data(), lent, bytes.data(), bytes.size(), columns, rows);
+            kfast_create(&player, block.data(), borrowed, bytes.data(), bytes.size(), columns, rows);
         CHECK((player == nullptr) == (error != KFAST_OK));
         return error;
     };
@@ -233,8 +233,8 @@ TEST_CASE("what cannot be played is refused by name")
     newer[3] = std::byte{99};
     other[0] = std::byte{'P'};
     CHECK(refused(scene, block.size(), width, height) == KFAST_OK);
-    for (std::size_t lent = 0; lent + 16 < block.size(); lent += 13)
-        CHECK(refused(scene, lent, width, height) == KFAST_BLOCK_TOO_SMALL);
+    for (std::size_t borrowed = 0; borrowed + 16 < block.size(); borrowed += 13)
+        CHECK(refused(scene, borrowed, width, height) == KFAST_BLOCK_TOO_SMALL);
     CHECK(refused({scene.begin(), scene.end() - 1}, block.size(), width, height) == KFAST_TRUNCATED);
     CHECK(refused(damaged, block.size(), width, height) == KFAST_BAD_CHECKSUM);
     CHECK(refused(newer, block.size(), width, height) == KFAST_UNSUPPORTED_VERSION);
@@ -335,9 +335,9 @@ TEST_CASE("a text is what was told last")
         "input=n { at 0 0; at 1 3 "
         "} }";
     const auto seen = [&label](std::string_view text) {
-        Stage stage{label, {width, height}};
-        stage.player.set_text(0, text);
-        return stage.picture<PixelFormat::rgb565>({});
+        PlayerFixture fixture{label, {width, height}};
+        fixture.player.set_text(0, text);
+        return fixture.picture<PixelFormat::rgb565>({});
     };
     Screen screen{label};
     const auto shows = [&](std::string_view text) {

@@ -2,7 +2,7 @@
 #include "library/kfast_player.hpp"
 
 #include "tests/core/filling.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <array>
 #include <doctest/doctest.h>
@@ -54,24 +54,24 @@ public:
 
     bool shows(Time moment, Time size = {}) const
     {
-        Stage stage{scene_, {width, height}};
-        stage.player.set_input(0, size);
-        return shows_picture(stage, moment);
+        PlayerFixture fixture{scene_, {width, height}};
+        fixture.player.set_input(0, size);
+        return shows_picture(fixture, moment);
     }
 
     /// Whether it looks as the beginning of this scene.
     bool looks_like(std::string_view scene) const
     {
-        Stage stage{scene, {width, height}};
-        return shows_picture(stage, Time{});
+        PlayerFixture fixture{scene, {width, height}};
+        return shows_picture(fixture, Time{});
     }
 
     KfastPlayer<20'000> player;
 
 private:
-    bool shows_picture(Stage& stage, Time moment) const
+    bool shows_picture(PlayerFixture& fixture, Time moment) const
     {
-        const Bytes wanted = stage.picture<PixelFormat::rgb565>(moment);
+        const Bytes wanted = fixture.picture<PixelFormat::rgb565>(moment);
         return std::ranges::equal(wanted, std::as_bytes(std::span{display_}));
     }
 

@@ -2,7 +2,7 @@
 
 #include "tests/core/everything.hpp"
 #include "tests/core/filling.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/library/screen.hpp"
 
 #include <doctest/doctest.h>
@@ -56,7 +56,7 @@ void check_against_redraws(Draw draw, Size panel, unsigned seed)
     kfast_player* player = nullptr;
     REQUIRE(kfast_create(&player, block.data(), block.size(), scene.data(), scene.size(), panel.width,
                          panel.height) == KFAST_OK);
-    Stage fresh{scene, panel};
+    PlayerFixture fresh{scene, panel};
     Display<format> display{panel};
     std::int32_t time = 0;
     for (int round = 0; round < 60; ++round) {

@@ -2,7 +2,7 @@
 
 #include "library/kfast.h"
 
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <doctest/doctest.h>
 #include <string_view>
@@ -75,16 +75,16 @@ private:
 
 inline Bytes picture(std::string_view text, Time moment)
 {
-    return Stage{text, {width, height}}.picture<PixelFormat::rgb565>(moment);
+    return PlayerFixture{text, {width, height}}.picture<PixelFormat::rgb565>(moment);
 }
 
 /// With inputs at these places.
 inline Bytes picture(std::string_view text, Time gaze, Time open)
 {
-    Stage stage{text, {width, height}};
-    stage.player.set_input(0, gaze);
-    stage.player.set_input(1, open);
-    return stage.picture<PixelFormat::rgb565>({});
+    PlayerFixture fixture{text, {width, height}};
+    fixture.player.set_input(0, gaze);
+    fixture.player.set_input(1, open);
+    return fixture.picture<PixelFormat::rgb565>({});
 }
 
 }

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "boards/pico/app/playback_board.hpp"
 #include "boards/pico/beam/dac_beam.hpp"
-#include "boards/pico/stage/stage_board.hpp"
 
 namespace kfast::pico {
 
 /// A Pico with a vector display.
-class BeamBoard : public StageBoard {
+class BeamBoard : public PlaybackBoard {
 public:
     /// All of them must outlive the board. The computer has begun.
     BeamBoard(DacBeam& beam, const BoardSettings& settings, const Clock& clock, const Computer& computer)
-        : StageBoard{settings, clock, computer}, beam_{beam}
+        : PlaybackBoard{settings, clock, computer}, beam_{beam}
     {
     }
 
@@ -20,7 +20,7 @@ public:
     void listen()
     {
         watch_arming();
-        StageBoard::listen();
+        PlaybackBoard::listen();
     }
     void linger_until(Microseconds moment)
     {
@@ -28,8 +28,8 @@ public:
         do {
             watch_arming();
             const Microseconds soon = now() + look;
-            StageBoard::linger_until(reached(soon, moment) ? moment : soon);
-        } while (!stage().wants_to_begin() && !reached(now(), moment));
+            PlaybackBoard::linger_until(reached(soon, moment) ? moment : soon);
+        } while (!playback().wants_to_begin() && !reached(now(), moment));
     }
 
 private:

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "boards/pico/app/settings.hpp"
 #include "boards/pico/beam/beam_board.hpp"
 #include "boards/pico/beam/shutter.hpp"
-#include "boards/pico/stage/settings.hpp"
 #include "firmware/run/run.hpp"
 
 namespace kfast::pico {
@@ -16,7 +16,7 @@ struct BeamDisplay {
             shutter::begin(settings.pin(PinRole::blank));
     }
 
-    static link::StageFacts facts(const BoardSettings& settings)
+    static link::BoardFacts facts(const BoardSettings& settings)
     {
         const BeamProfile& beam = settings.beam;
         shutter::set_armed(!beam.is_laser);
@@ -35,7 +35,7 @@ struct BeamDisplay {
         using B = BeamBoard;
         static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
                       ListeningBoard<B> && ChangingBoard<B> && LiveInputBoard<B>);
-        run_stage(board);
+        run_scenes(board);
         __builtin_unreachable(); // the board wants to run for ever
     }
 };

@@ -15,7 +15,7 @@ namespace {
 
 using looped_words::Loop;
 
-constexpr pio::Machine teller{0};
+constexpr pio::Machine dac_output{0};
 constexpr pio::Machine clock{1};
 constexpr std::uint32_t both_machines = 3;
 
@@ -62,22 +62,22 @@ void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_ov
 
 std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
 
-void set_up_teller(const BoardSettings& settings, std::uint32_t default_point)
+void set_up_dac_output(const BoardSettings& settings, std::uint32_t default_point)
 {
     const Pin bits = settings.pin(PinRole::clock);
     const Pin data = settings.pin(PinRole::data);
     const Pin select = settings.pin(PinRole::select);
     const rp2040::DacBit bit = rp2040::dac_bit(settings.bus_clock);
-    load(teller, pio::telling_program(bit), 0);
-    teller.clock_divisor().write(bit.divisor << pio::divisor_at);
-    drive(teller, bits, 0);
-    drive(teller, data, 1);
-    drive(teller, select, 1);
-    teller.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) | pio::one_set_pin |
-                              range(select, pio::set_base_at) | 1u << pio::out_pins_at |
-                              range(data, pio::out_base_at));
-    give(teller, default_point, pio::mov_isr_osr);
-    teller.execute_now().write(pio::jump(0));
+    load(dac_output, pio::dac_output_program(bit), 0);
+    dac_output.clock_divisor().write(bit.divisor << pio::divisor_at);
+    drive(dac_output, bits, 0);
+    drive(dac_output, data, 1);
+    drive(dac_output, select, 1);
+    dac_output.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) |
+                                  pio::one_set_pin | range(select, pio::set_base_at) |
+                                  1u << pio::out_pins_at | range(data, pio::out_base_at));
+    give(dac_output, default_point, pio::mov_isr_osr);
+    dac_output.execute_now().write(pio::jump(0));
     for (const Pin pin : {bits, data, select})
         connect(pin, PinFunction::pio0, Pad::fast_output);
 }
@@ -108,9 +108,9 @@ DacBeam::DacBeam(const BoardSettings& settings)
     parked.points[0] = dac_point({.at = profile_.park}, profile_.brightness);
     parked.loop = Loop{parked.points};
     resets::restart(resets::pio0);
-    set_up_teller(settings, parked.points[0]);
-    set_up_clock(settings, static_cast<std::uint32_t>(pio::telling_program({}).size()));
-    looped_words::begin(parked.loop, teller.transmit(), dma::Request::pio0_tx0);
+    set_up_dac_output(settings, parked.points[0]);
+    set_up_clock(settings, static_cast<std::uint32_t>(pio::dac_output_program({}).size()));
+    looped_words::begin(parked.loop, dac_output.transmit(), dma::Request::pio0_tx0);
     pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
 }
 
@@ -121,8 +121,8 @@ bool DacBeam::takes_picture() const { return looped_words::has_gone_over(); }
 void DacBeam::plot(std::span<const BeamPoint> points)
 {
     for (const BeamPoint& point : points) {
-        const std::uint32_t told = dac_point(point, profile_.brightness);
-        pictures[plotted_].points[points_++] = profile_.is_laser ? still_light_.passed(told) : told;
+        const std::uint32_t word = dac_point(point, profile_.brightness);
+        pictures[plotted_].points[points_++] = profile_.is_laser ? still_light_.passed(word) : word;
     }
 }
 

@@ -17,7 +17,7 @@ namespace kfast::pico::pio {
 ///
 /// When both words are told, the data line is high if the beam is to be dark: the clock of the points copies
 /// it.
-constexpr std::array<std::uint32_t, 25> telling_program(const rp2040::DacBit& bit)
+constexpr std::array<std::uint32_t, 25> dac_output_program(const rp2040::DacBit& bit)
 {
     constexpr std::uint32_t cs_to_clock = 2; // and the low half of a bit: 40 ns in all, which mode 1,1 needs
     constexpr std::uint32_t rest_of_clock = 5; // low for 40 ns before CS falls

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "boards/pico/app/playback_board.hpp"
 #include "boards/pico/chip/memory.hpp"
 #include "boards/pico/panel/dimmer.hpp"
 #include "boards/pico/panel/tearing_line.hpp"
-#include "boards/pico/stage/stage_board.hpp"
 #include "firmware/run/tearing_wait.hpp"
 
 #include <array>
@@ -15,11 +15,11 @@ namespace kfast::pico {
 
 /// A Pico with a panel. The backlight is dark until a picture has arrived, and while the display rests.
 template <class Display>
-class Board : public StageBoard {
+class Board : public PlaybackBoard {
 public:
     /// All of them must outlive the board. The computer has begun.
     Board(Display& panel, const BoardSettings& settings, const Clock& clock, const Computer& computer)
-        : StageBoard{settings, clock, computer}, panel_{panel}, settings_{settings},
+        : PlaybackBoard{settings, clock, computer}, panel_{panel}, settings_{settings},
           light_{settings.pin(PinRole::backlight)}, tearing_line_{settings.pin(PinRole::tearing)}
     {
     }
@@ -33,16 +33,16 @@ public:
     {
         if (!is_drawing())
             stand_by();
-        return StageBoard::running();
+        return PlaybackBoard::running();
     }
 
     void steer(Playhead& playhead)
     {
-        StageBoard::steer(playhead);
-        if (stage().wants_rest())
+        PlaybackBoard::steer(playhead);
+        if (playback().wants_rest())
             light_.set(0);
-        else if (stage().brightness() != brightness_)
-            set_brightness(stage().brightness());
+        else if (playback().brightness() != brightness_)
+            set_brightness(playback().brightness());
     }
 
     void wait_for_blank()
@@ -58,22 +58,22 @@ public:
     void frame_shown(FrameReport frame)
     {
         light_.set(brightness_); // not before: until now the display showed whatever it woke up with
-        StageBoard::frame_shown(frame);
+        PlaybackBoard::frame_shown(frame);
     }
 
     void fault(Error error)
     {
         light_.set(brightness_);
-        StageBoard::fault(error);
+        PlaybackBoard::fault(error);
     }
 
 private:
     /// While no frames are drawn.
     void stand_by()
     {
-        if (stage().brightness() == brightness_)
+        if (playback().brightness() == brightness_)
             return;
-        set_brightness(stage().brightness());
+        set_brightness(playback().brightness());
         light_.set(brightness_);
     }
 

@@ -1,12 +1,12 @@
 #include "boards/pico/panel/i2c_bus.hpp"
 
+#include "boards/pico/app/report.hpp"
 #include "boards/pico/chip/clock.hpp"
 #include "boards/pico/chip/interrupts.hpp"
 #include "boards/pico/chip/pins.hpp"
 #include "boards/pico/chip/register.hpp"
 #include "boards/pico/chip/resets.hpp"
 #include "boards/pico/panel/bus_rates.hpp"
-#include "boards/pico/stage/report.hpp"
 #include "firmware/settings/rp2040_pins.hpp"
 
 #include <atomic>
@@ -153,7 +153,7 @@ void serve()
 }
 
 // Not at once, in the interrupt, which may come within another line of the log.
-void tell_of_latest(const Unit& i2c)
+void report_latest(const Unit& i2c)
 {
     if (was_aborted && !is_display_missing)
         report::no_display(static_cast<std::uint8_t>(i2c.target().read()));
@@ -166,7 +166,7 @@ void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
     if (bytes.empty())
         return;
     const Unit i2c = unit_of(bus_unit);
-    tell_of_latest(i2c);
+    report_latest(i2c);
     std::atomic_signal_fence(std::memory_order_release); // the bytes are in memory before the interrupt looks
     i2c.interrupt_mask().write(0);
     next_byte = bytes.data();

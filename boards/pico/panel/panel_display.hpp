@@ -12,7 +12,7 @@ template <class Bus>
 struct PanelDisplay {
     static void make_safe(const BoardSettings&) {}
 
-    static link::StageFacts facts(const BoardSettings& settings)
+    static link::BoardFacts facts(const BoardSettings& settings)
     {
         return {.settings = settings,
                 .panel = {controller_name(settings.panel.controller)},
@@ -32,7 +32,7 @@ struct PanelDisplay {
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
                           SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B> &&
                           LiveInputBoard<B>);
-            run_stage(board);
+            run_scenes(board);
         });
         __builtin_unreachable(); // the board wants to run for ever
     }

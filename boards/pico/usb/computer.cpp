@@ -5,7 +5,7 @@
 #include "boards/pico/chip/memory.hpp"
 #include "boards/pico/chip/watchdog.hpp"
 #include "boards/pico/usb/usb_reports.hpp"
-#include "firmware/link/conversation.hpp"
+#include "firmware/link/link_service.hpp"
 #include "firmware/slots/slot_store.hpp"
 
 #include <optional>
@@ -17,39 +17,39 @@ constexpr BoardSettings no_settings;
 constexpr ChipFlash chip_flash;
 
 // Too large for the stack.
-constinit std::optional<link::Stage> the_stage;
+constinit std::optional<link::PlaybackSession> playback_session;
 constinit std::optional<SlotStore<const ChipFlash>> slots;
-constinit std::optional<link::Conversation<const UsbReports, const ChipFlash>> conversation;
+constinit std::optional<link::LinkService<const UsbReports, const ChipFlash>> link_service;
 
-void begin_with(link::StageFacts facts)
+void begin_with(link::BoardFacts facts)
 {
     facts.serial = {usb_reports.serial_number()};
     facts.board = {"pico"};
     facts.block = memory::player_block();
     facts.built_in = memory::scene_region();
     facts.has_boot_loader = true;
-    the_stage.emplace(facts);
+    playback_session.emplace(facts);
     slots.emplace(chip_flash, rp2040::slot_places);
-    conversation.emplace(usb_reports, *the_stage, *slots);
-    conversation->begin();
+    link_service.emplace(usb_reports, *playback_session, *slots);
+    link_service->begin();
 }
 
 }
 
-void Computer::begin(const link::StageFacts& display) const { begin_with(display); }
+void Computer::begin(const link::BoardFacts& display) const { begin_with(display); }
 
 void Computer::begin_without_display() const
 {
     begin_with({.settings = no_settings, .player_bytes = nullptr});
 }
 
-link::Stage& Computer::stage() const { return *the_stage; }
+link::PlaybackSession& Computer::playback() const { return *playback_session; }
 
 void Computer::serve() const
 {
     watchdog::feed(); // looking at large scenes takes long
-    conversation->serve([this] { return clock_.now(); });
-    if (the_stage->is_to_leave(clock_.now()))
+    link_service->serve([this] { return clock_.now(); });
+    if (playback_session->is_to_leave(clock_.now()))
         boot_rom::become_drive();
 }
 
@@ -65,7 +65,7 @@ void Computer::serve_until(Microseconds moment) const
 void Computer::serve_until_change(Microseconds moment) const
 {
     serve();
-    while (!the_stage->wants_to_begin() && !reached(clock_.now(), moment)) {
+    while (!playback_session->wants_to_begin() && !reached(clock_.now(), moment)) {
         clock_.doze_until(moment);
         serve();
     }

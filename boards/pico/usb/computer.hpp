@@ -2,7 +2,7 @@
 
 #include "boards/pico/chip/clock.hpp"
 #include "firmware/chip/microseconds.hpp"
-#include "firmware/link/stage.hpp"
+#include "firmware/link/playback_session.hpp"
 
 namespace kfast::pico {
 
@@ -14,11 +14,11 @@ public:
 
     /// Before anything else. What plays when the board starts is what its stage begins with. `display` tells
     /// about that and the settings; of the rest the computer knows.
-    void begin(const link::StageFacts& display) const;
+    void begin(const link::BoardFacts& display) const;
     /// Likewise, of a board that can show nothing.
     void begin_without_display() const;
 
-    link::Stage& stage() const;
+    link::PlaybackSession& playback() const;
 
     /// Deals with the reports that have come. The computer has to wait if nobody does for 16 ms.
     void serve() const;

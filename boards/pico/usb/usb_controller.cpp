@@ -26,7 +26,7 @@ constexpr std::uint32_t controller_enable = 1 << 0; // of a device: the host's b
 
 // line_control
 constexpr std::uint32_t pull_up = 1 << 16;
-constexpr std::uint32_t tell_control_packets = 1 << 29; // EP0_INT_1BUF: in BUFF_STATUS
+constexpr std::uint32_t ep0_int_1buf = 1 << 29; // EP0_INT_1BUF: in BUFF_STATUS
 
 // line_status, where writing clears
 constexpr std::uint32_t is_suspended = 1 << 4;
@@ -53,7 +53,7 @@ constexpr std::uint32_t control_bytes = 0x100; // with all that is said about en
 
 // Of an endpoint's control word
 constexpr std::uint32_t endpoint_enable = 1U << 31;
-constexpr std::uint32_t tell_packets = 1 << 29;
+constexpr std::uint32_t interrupt_per_buff = 1 << 29;
 constexpr std::uint32_t of_interrupts = 3 << 26;
 
 // Of a packet's control word
@@ -96,7 +96,7 @@ void UsbController::begin()
     muxing.write(to_transceiver | connected_by_software);
     power.write(plug_has_power | override_power);
     main_control.write(controller_enable);
-    line_control.write(tell_control_packets);
+    line_control.write(ep0_int_1buf);
     interrupt_enable.write(on_packet | on_reset | on_suspend | on_resume | on_setup);
     enable(Interrupt::usb);
     line_control.set(pull_up);
@@ -105,7 +105,7 @@ void UsbController::begin()
 void UsbController::open(Endpoint endpoint)
 {
     forget(endpoint, false);
-    endpoint_control(endpoint).write(endpoint_enable | tell_packets | of_interrupts |
+    endpoint_control(endpoint).write(endpoint_enable | interrupt_per_buff | of_interrupts |
                                      packet_offset(endpoint));
 }
 

@@ -26,7 +26,7 @@ public:
     using EventsOff = InterruptsOff;
 
     /// Shows the computer that something is plugged in. Needs start_clocks(); from now on interrupts come, of
-    /// which each is to tell_events().
+    /// which each is to dispatch_events().
     void begin();
 
     void open(usb::Endpoint endpoint);
@@ -39,10 +39,10 @@ public:
 
     /// Tells a HidDevice what has happened. What ended before a transfer begins is told before it.
     template <class Device>
-    void tell_events(Device& device)
+    void dispatch_events(Device& device)
     {
-        tell_line_event(device);
-        tell_finished(device);
+        dispatch_line_event(device);
+        dispatch_finished(device);
         std::array<std::byte, usb::setup_bytes> packet;
         if (read_setup(packet))
             device.setup(packet);
@@ -52,7 +52,7 @@ private:
     enum class Event : std::uint8_t { none, bus_reset, suspended, resumed };
 
     template <class Device>
-    void tell_line_event(Device& device)
+    void dispatch_line_event(Device& device)
     {
         switch (next_line_event()) {
         case Event::none:
@@ -70,7 +70,7 @@ private:
     }
 
     template <class Device>
-    void tell_finished(Device& device) const
+    void dispatch_finished(Device& device) const
     {
         const std::uint32_t finished = take_finished();
         for (const usb::Endpoint endpoint : endpoints) {

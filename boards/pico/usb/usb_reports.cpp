@@ -46,6 +46,6 @@ bool UsbReports::is_connected() const { return device.is_connected(); }
 
 std::uint32_t UsbReports::connections() const { return device.connections(); }
 
-extern "C" void usb_handler() { device.controller().tell_events(device); }
+extern "C" void usb_handler() { device.controller().dispatch_events(device); }
 
 }

@@ -18,10 +18,10 @@ ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, st
 
 ByteProgressCallback ProgressBar::of_device(std::size_t index)
 {
-    return [this, index](std::size_t bytes) { tell(index, bytes); };
+    return [this, index](std::size_t bytes) { report(index, bytes); };
 }
 
-void ProgressBar::tell(std::size_t index, std::size_t bytes)
+void ProgressBar::report(std::size_t index, std::size_t bytes)
 {
     if (!is_shown_)
         return;

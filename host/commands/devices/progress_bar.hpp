@@ -29,7 +29,7 @@ public:
 private:
     using Driver = std::chrono::steady_clock;
 
-    void tell(std::size_t index, std::size_t bytes);
+    void report(std::size_t index, std::size_t bytes);
     void draw(std::size_t done);
 
     std::mutex mutex_;

@@ -51,13 +51,13 @@ Drawn drawn_frames(BeamSource& source, const Timeline& timeline)
     const std::vector<FilmMoment> moments = played_moments(timeline);
     WorkBar bar{"drawing"};
     for (const FilmMoment& moment : moments) {
-        bar.tell(drawn.frames.size(), moments.size());
+        bar.report(drawn.frames.size(), moments.size());
         add_frame(drawn, source.show(moment.time), source.report());
     }
     return drawn;
 }
 
-void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate, std::ostream& out)
+void report(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t rate, std::ostream& out)
 {
     out << output.string() << ": " << counted(drawn.frames.size(), "frame") << ", "
         << counted(drawn.points, "point") << ", at most " << drawn.max_points << " in a frame ("
@@ -73,7 +73,7 @@ void tell(const std::filesystem::path& output, const Drawn& drawn, std::uint32_t
                   << " had no time for all lines: a profile with a lower least-refresh gives more\n";
 }
 
-void tell_colours(const Drawn& drawn, IldaFormat format)
+void report_colours(const Drawn& drawn, IldaFormat format)
 {
     if (is_indexed(format) && IldaPalette{drawn.frames}.is_too_small())
         std::cerr << "kfast: there are more colours than a palette has, and some become the nearest one: "
@@ -93,8 +93,8 @@ void export_ilda(const ExportOptions& options)
     const std::string name = std::filesystem::path{options.scene}.stem().string();
     const auto format = static_cast<IldaFormat>(options.ilda_format);
     write_file(output, ilda_file(name, format, drawn.frames));
-    tell(output, drawn, source.profile().rate, report_stream(options.quiet));
-    tell_colours(drawn, format);
+    report(output, drawn, source.profile().rate, report_stream(options.quiet));
+    report_colours(drawn, format);
 }
 
 }

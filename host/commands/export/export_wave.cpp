@@ -38,14 +38,14 @@ std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeli
 SoundLoop made_loop(BeamSource& source, const Timeline& timeline, std::uint64_t length)
 try {
     WorkBar bar{"drawing"};
-    return sound_loop(source, timeline, length, bar.teller());
+    return sound_loop(source, timeline, length, bar.callback());
 } catch (const std::length_error& reason) {
     throw Failure(std::string{reason.what()} + ": make it longer with --seconds");
 }
 
 std::string percent(std::int16_t place) { return rounded_text(std::round(place * 1000.0 / field_side) / 10); }
 
-void tell(const SoundLoop& loop, std::uint32_t rate, std::ostream& out)
+void report(const SoundLoop& loop, std::uint32_t rate, std::ostream& out)
 {
     const auto samples = static_cast<double>(loop.points.size());
     const FieldPoint mean = mean_place(loop.points);
@@ -75,7 +75,7 @@ void export_wave(const ExportOptions& options)
     write_file(output, wave_file(loop.points, options.sound.deflection, rate, options.bits));
     std::ostream& out = report_stream(options.quiet);
     out << output.string() << ": ";
-    tell(loop, rate, out);
+    report(loop, rate, out);
 }
 
 }

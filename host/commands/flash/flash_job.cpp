@@ -72,9 +72,9 @@ std::size_t written_sectors(const std::vector<std::size_t>& differing)
 
 }
 
-FlashJob::FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order,
-                   const FlashProgressCallback& tell)
-    : bench_{bench}, plan_{plan}, order_{order}, tell_{tell}
+FlashJob::FlashJob(FlashEnvironment& environment, const FlashPlan& plan, const FlashOrder& order,
+                   const FlashProgressCallback& on_progress)
+    : environment_{environment}, plan_{plan}, order_{order}, on_progress_{on_progress}
 {
 }
 
@@ -85,7 +85,7 @@ FlashOutcome FlashJob::run()
         return is_dry ? untouched() : run_on(entered_by_lines());
     try {
         return std::visit([this](const auto& place) { return run_on(place); },
-                          flash_place(bench_, order_.place));
+                          flash_place(environment_, order_.place));
     } catch (const Failure& failure) {
         if (!is_dry || failure.status() != ExitStatus::no_device)
             throw;
@@ -95,12 +95,12 @@ FlashOutcome FlashJob::run()
 
 BootBoard FlashJob::entered_by_lines()
 {
-    bench_.enter_boot_loader(*order_.lines);
+    environment_.enter_boot_loader(*order_.lines);
     has_just_come_ = true;
-    bench_.wait(noticing);
-    for (const Milliseconds end = bench_.now() + order_.last_patience; bench_.now() < end;
-         bench_.wait(between_looks)) {
-        if (const auto board = boot_board(bench_, order_.place.port))
+    environment_.wait(noticing);
+    for (const Milliseconds end = environment_.now() + order_.last_patience; environment_.now() < end;
+         environment_.wait(between_looks)) {
+        if (const auto board = boot_board(environment_, order_.place.port))
             return *board;
     }
     throw Failure{"no boot loader has been seen for " + seconds_text(order_.last_patience) +
@@ -120,7 +120,7 @@ FlashOutcome FlashJob::run_on(const DeviceAddress& device)
 {
     if (order_.purpose == FlashPurpose::dry_run)
         return untouched();
-    const std::vector<BootBoard> before = bench_.boards_in_boot_loader();
+    const std::vector<BootBoard> before = environment_.boards_in_boot_loader();
     ask_to_leave(device);
     has_just_come_ = true;
     asked_ = device.serial;
@@ -138,7 +138,7 @@ void FlashJob::ask_to_leave(const DeviceAddress& address)
 RemoteDevice FlashJob::player_at(const DeviceAddress& address)
 {
     try {
-        return bench_.open_device(address, order_.last_patience);
+        return environment_.open_device(address, order_.last_patience);
     } catch (const Interrupted&) {
         throw;
     } catch (const Failure& failure) {
@@ -152,9 +152,9 @@ BootBoard FlashJob::await_boot_loader(const std::vector<BootBoard>& before)
     const auto was_there = [&](const BootBoard& board) {
         return std::ranges::find(before, board.port, &BootBoard::port) != before.end();
     };
-    for (const Milliseconds end = bench_.now() + order_.last_patience; bench_.now() < end;
-         bench_.wait(between_looks)) {
-        const auto boards = bench_.boards_in_boot_loader();
+    for (const Milliseconds end = environment_.now() + order_.last_patience; environment_.now() < end;
+         environment_.wait(between_looks)) {
+        const auto boards = environment_.boards_in_boot_loader();
         const auto fresh = std::ranges::find_if_not(boards, was_there);
         if (fresh != boards.end())
             return *fresh;
@@ -188,9 +188,10 @@ std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
 {
     const bool is_shut =
         failure.status() == ExitStatus::no_permission || dynamic_cast<const NoPicoboot*>(&failure) != nullptr;
-    if (!is_shut || order_.purpose == FlashPurpose::verify_only || bench_.boards_in_boot_loader().size() != 1)
+    if (!is_shut || order_.purpose == FlashPurpose::verify_only ||
+        environment_.boards_in_boot_loader().size() != 1)
         return std::nullopt;
-    auto drive = only_drive(bench_);
+    auto drive = only_drive(environment_);
     if (drive && plan_.depends_on_board())
         throw with_advice(failure, "Its drive at " + visible(drive->folder.string()) +
                                        " does not tell which display it has: with --panel or --config, the "
@@ -201,14 +202,14 @@ std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
 /// One that has just come may lack a permission, or not be set up yet.
 std::unique_ptr<BootLoader> FlashJob::opened(const BootBoard& board)
 {
-    const Milliseconds end = bench_.now() + (has_just_come_ ? settling : Milliseconds{0});
-    for (;; bench_.wait(between_looks)) {
+    const Milliseconds end = environment_.now() + (has_just_come_ ? settling : Milliseconds{0});
+    for (;; environment_.wait(between_looks)) {
         try {
-            return bench_.open_boot_loader(board);
+            return environment_.open_boot_loader(board);
         } catch (const Failure& failure) {
             const bool stays =
                 failure.status() == ExitStatus::wrong_chip || failure.status() == ExitStatus::timed_out;
-            if (stays || bench_.now() >= end)
+            if (stays || environment_.now() >= end)
                 throw;
         }
     }
@@ -221,11 +222,11 @@ FlashOutcome FlashJob::run_with(BootLoader& boot_loader)
         const FlashImage image{contents.regions};
         FlashOutcome outcome{.contents = contents.words, .addresses = addresses_of(image)};
         if (order_.purpose == FlashPurpose::verify_only) {
-            verify(boot_loader, image, tell_);
+            verify(boot_loader, image, on_progress_);
             outcome.differing.emplace();
             outcome.verified = true;
         } else {
-            const auto differing = differing_sectors(boot_loader, image, tell_);
+            const auto differing = differing_sectors(boot_loader, image, on_progress_);
             outcome.differing.emplace();
             for (const std::size_t index : differing)
                 outcome.differing->push_back(outcome.addresses[index]);
@@ -246,7 +247,7 @@ void FlashJob::write(BootLoader& boot_loader, const FlashImage& image,
 {
     is_written_ = !differing.empty();
     try {
-        write_sectors(boot_loader, image, differing, tell_);
+        write_sectors(boot_loader, image, differing, on_progress_);
     } catch (const Failure& failure) {
         throw with_advice(failure,
                           std::string{half_flashed} + (plan_.changes_settings() ? lost_settings : ""));
@@ -274,11 +275,11 @@ void FlashJob::restart(BootLoader& boot_loader)
 {
     boot_loader.restart();
     const auto is_there = [&] {
-        const auto boards = bench_.boards_in_boot_loader();
+        const auto boards = environment_.boards_in_boot_loader();
         return std::ranges::find(boards, port_, &BootBoard::port) != boards.end();
     };
-    for (const Milliseconds end = bench_.now() + noticing; bench_.now() < end && is_there();)
-        bench_.wait(between_looks);
+    for (const Milliseconds end = environment_.now() + noticing; environment_.now() < end && is_there();)
+        environment_.wait(between_looks);
 }
 
 void FlashJob::let_play_again(BootLoader& boot_loader)
@@ -307,7 +308,7 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
         return outcome;
     remember_devices();
     try {
-        bench_.copy_to_drive(drive, image, tell_);
+        environment_.copy_to_drive(drive, image, on_progress_);
     } catch (const Failure& failure) {
         throw with_advice(failure, half_flashed);
     }
@@ -318,7 +319,7 @@ FlashOutcome FlashJob::run_on(const Uf2Drive& drive)
 
 void FlashJob::remember_devices()
 {
-    for (const DeviceAddress& device : bench_.attached_devices())
+    for (const DeviceAddress& device : environment_.attached_devices())
         devices_.insert(name_of(device));
 }
 
@@ -333,9 +334,9 @@ PlayerOutcome FlashJob::await_player()
                        ": its LED tells why (docs/config.md); a firmware that is not KFAST's has none, "
                        "--no-wait goes with it",
                    ExitStatus::timed_out};
-    for (const Milliseconds end = bench_.now() + order_.last_patience; bench_.now() < end;
-         bench_.wait(between_looks)) {
-        for (const DeviceAddress& device : bench_.attached_devices()) {
+    for (const Milliseconds end = environment_.now() + order_.last_patience; environment_.now() < end;
+         environment_.wait(between_looks)) {
+        for (const DeviceAddress& device : environment_.attached_devices()) {
             try {
                 if (is_new(device))
                     return player_of(device);
@@ -352,7 +353,7 @@ PlayerOutcome FlashJob::await_player()
 
 PlayerOutcome FlashJob::player_of(const DeviceAddress& address)
 {
-    RemoteDevice device = bench_.open_device(address, order_.last_patience);
+    RemoteDevice device = environment_.open_device(address, order_.last_patience);
     PlayerOutcome outcome{device.name(), playing_on(device), std::nullopt};
     if (!plan_.has_scene())
         return outcome;
@@ -368,9 +369,9 @@ PlayerOutcome FlashJob::player_of(const DeviceAddress& address)
 /// A player that has begun a moment ago may answer before it plays.
 link::Playing FlashJob::playing_on(RemoteDevice& device)
 {
-    for (const Milliseconds end = bench_.now() + beginning_to_play;; bench_.wait(between_looks)) {
+    for (const Milliseconds end = environment_.now() + beginning_to_play;; environment_.wait(between_looks)) {
         const auto playing = device.session().ask<link::Playing>(link::AskPlaying{});
-        if (playing.is_playing || !plan_.has_scene() || bench_.now() >= end)
+        if (playing.is_playing || !plan_.has_scene() || environment_.now() >= end)
             return playing;
     }
 }

@@ -48,8 +48,8 @@ struct PlayerOutcome {
 class FlashJob {
 public:
     /// All must outlive it.
-    FlashJob(Workbench& bench, const FlashPlan& plan, const FlashOrder& order,
-             const FlashProgressCallback& tell);
+    FlashJob(FlashEnvironment& environment, const FlashPlan& plan, const FlashOrder& order,
+             const FlashProgressCallback& on_progress);
 
     /// Finds the board and does with its flash what the order says; a board that was written to restarts. Of
     /// a dry run no board takes notice but one that is in its boot loader, whose flash is read.
@@ -86,10 +86,10 @@ private:
     PlayerOutcome player_of(const DeviceAddress& address);
     link::Playing playing_on(RemoteDevice& device);
 
-    Workbench& bench_;
+    FlashEnvironment& environment_;
     const FlashPlan& plan_;
     const FlashOrder& order_;
-    const FlashProgressCallback& tell_;
+    const FlashProgressCallback& on_progress_;
     std::string port_;              ///< of the boot loader
     std::string asked_;             ///< the serial number of the device that has left its player for this
     bool has_just_come_ = false;    ///< the boot loader, for which udev may still have to do something

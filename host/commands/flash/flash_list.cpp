@@ -50,9 +50,10 @@ std::string text_of(const Found& found)
 
 }
 
-void print_flash_list(Workbench& bench, ListForm form)
+void print_flash_list(FlashEnvironment& environment, ListForm form)
 {
-    const Found found{bench.boards_in_boot_loader(), bench.attached_devices(), bench.uf2_drives()};
+    const Found found{environment.boards_in_boot_loader(), environment.attached_devices(),
+                      environment.uf2_drives()};
     std::cout << (form == ListForm::json ? json_text(json_of(found)) : text_of(found));
     std::cout.flush(); // before the reason
     if (found.is_nothing())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/commands/flash/workbench.hpp"
+#include "host/commands/flash/flash_environment.hpp"
 
 namespace kfast {
 
@@ -8,6 +8,6 @@ enum class ListForm { text, json };
 
 /// Prints all boards that could be flashed: those in their boot loaders, those that run KFAST, and drives.
 /// Throws Failure with no_device if there are none.
-void print_flash_list(Workbench& bench, ListForm form);
+void print_flash_list(FlashEnvironment& environment, ListForm form);
 
 }

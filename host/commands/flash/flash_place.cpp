@@ -97,24 +97,24 @@ std::optional<BootBoard> only_board(const std::vector<BootBoard>& boards)
     return usable.empty() ? std::nullopt : std::optional{usable.front()};
 }
 
-std::vector<Uf2Drive> rp2040_drives(Workbench& bench)
+std::vector<Uf2Drive> rp2040_drives(FlashEnvironment& environment)
 {
-    std::vector<Uf2Drive> drives = bench.uf2_drives();
+    std::vector<Uf2Drive> drives = environment.uf2_drives();
     std::erase_if(drives, [](const Uf2Drive& drive) { return drive.board != rp2040_drive; });
     return drives;
 }
 
 /// When nothing was said.
-FlashPlace only_place(Workbench& bench)
+FlashPlace only_place(FlashEnvironment& environment)
 {
-    if (const auto board = only_board(bench.boards_in_boot_loader()))
+    if (const auto board = only_board(environment.boards_in_boot_loader()))
         return *board;
-    const auto devices = bench.attached_devices();
+    const auto devices = environment.attached_devices();
     if (devices.size() > 1)
         refuse_several("run KFAST", "--device", serials_of(devices));
     if (!devices.empty())
         return devices.front();
-    const auto drives = rp2040_drives(bench);
+    const auto drives = rp2040_drives(environment);
     if (drives.size() > 1)
         refuse_several("are mounted as drives", "--drive", folders_of(drives));
     if (drives.empty())
@@ -124,26 +124,26 @@ FlashPlace only_place(Workbench& bench)
 
 }
 
-FlashPlace flash_place(Workbench& bench, const PlaceWish& wish)
+FlashPlace flash_place(FlashEnvironment& environment, const PlaceWish& wish)
 {
     if (!wish.drive.empty())
-        return bench.uf2_drive_at(wish.drive);
+        return environment.uf2_drive_at(wish.drive);
     if (!wish.port.empty())
-        return required_board_at(wish.port, bench.boards_in_boot_loader());
+        return required_board_at(wish.port, environment.boards_in_boot_loader());
     if (!wish.serial.empty())
-        return device_called(wish.serial, bench.attached_devices());
-    return only_place(bench);
+        return device_called(wish.serial, environment.attached_devices());
+    return only_place(environment);
 }
 
-std::optional<BootBoard> boot_board(Workbench& bench, const std::string& port)
+std::optional<BootBoard> boot_board(FlashEnvironment& environment, const std::string& port)
 {
-    const auto boards = bench.boards_in_boot_loader();
+    const auto boards = environment.boards_in_boot_loader();
     return port.empty() ? only_board(boards) : board_at(port, boards);
 }
 
-std::optional<Uf2Drive> only_drive(Workbench& bench)
+std::optional<Uf2Drive> only_drive(FlashEnvironment& environment)
 {
-    const auto drives = rp2040_drives(bench);
+    const auto drives = rp2040_drives(environment);
     return drives.size() == 1 ? std::optional{drives.front()} : std::nullopt;
 }
 

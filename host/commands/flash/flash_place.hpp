@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/commands/flash/workbench.hpp"
+#include "host/commands/flash/flash_environment.hpp"
 
 #include <optional>
 #include <string>
@@ -23,14 +23,14 @@ using FlashPlace = std::variant<BootBoard, DeviceAddress, Uf2Drive>;
 ///
 /// Throws Failure: with no_device if there is none, or not that one; with wrong_usage if there are several;
 /// with wrong_chip if it is no RP2040.
-FlashPlace flash_place(Workbench& bench, const PlaceWish& wish);
+FlashPlace flash_place(FlashEnvironment& environment, const PlaceWish& wish);
 
 /// The board in its boot loader at that port, or the only one if it is empty; nothing if there is none.
 /// Throws as flash_place() for several boards and for another chip.
-std::optional<BootBoard> boot_board(Workbench& bench, const std::string& port);
+std::optional<BootBoard> boot_board(FlashEnvironment& environment, const std::string& port);
 
 /// The drive of an RP2040, if exactly one is mounted.
-std::optional<Uf2Drive> only_drive(Workbench& bench);
+std::optional<Uf2Drive> only_drive(FlashEnvironment& environment);
 
 /// Throws Failure with no_device, which tells how a board is found.
 [[noreturn]] void refuse_no_board();

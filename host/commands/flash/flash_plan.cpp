@@ -114,7 +114,7 @@ FlashPlan::FlashPlan(const PlanWish& wish, std::span<const std::filesystem::path
         scene_.emplace(load_scene(wish.scene));
     firmwares_ = firmwares_of(wish, settings_, images);
     if (settings_.is_made() && !settings_.changes_board())
-        told_ = checked_contents(std::nullopt);
+        fixed_contents_ = checked_contents(std::nullopt);
     else
         static_cast<void>(flash_contents({.scene = scene_ ? &*scene_ : nullptr, .scene_name = scene_name_}));
 }
@@ -126,11 +126,11 @@ const NamedFirmware* FlashPlan::firmware_for(BusKind bus) const
     return depends_on_bus() ? &firmwares_[static_cast<std::size_t>(bus)] : &firmwares_.front();
 }
 
-NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& told,
+NamedSettings FlashPlan::effective(const std::optional<NamedSettings>& given,
                                    const std::optional<FoundOnBoard>& found) const
 {
-    if (told)
-        return *told;
+    if (given)
+        return *given;
     if (found && found->settings)
         return {*found->settings, "the board"};
     const auto bus = firmwares_.size() == 1 ? config::marked_bus(firmwares_.front().image) : std::nullopt;
@@ -148,22 +148,22 @@ void FlashPlan::check_fit(const BoardSettings& settings) const
 
 FlashContents FlashPlan::checked_contents(const std::optional<FoundOnBoard>& found) const
 {
-    const auto told = settings_.on(found ? found->settings : std::nullopt);
-    const NamedSettings settings = effective(told, found);
+    const auto given = settings_.on(found ? found->settings : std::nullopt);
+    const NamedSettings settings = effective(given, found);
     const NamedFirmware* const firmware = firmware_for(settings.settings.bus);
     if (scene_)
         check_fit(settings.settings);
-    if (firmware != nullptr && !told && found && found->settings)
+    if (firmware != nullptr && !given && found && found->settings)
         require_bus(*firmware, settings);
     return flash_contents({.firmware = firmware,
-                           .settings = told ? &*told : nullptr,
+                           .settings = given ? &*given : nullptr,
                            .scene = scene_ ? &*scene_ : nullptr,
                            .scene_name = scene_name_});
 }
 
 FlashContents FlashPlan::contents_for(const std::optional<FoundOnBoard>& found) const
 {
-    FlashContents contents = told_ ? *told_ : checked_contents(found);
+    FlashContents contents = fixed_contents_ ? *fixed_contents_ : checked_contents(found);
     if (firmwares_.empty() && found)
         require_firmware_on(*found, effective(settings_.on(found->settings), found));
     if (!(found && found->settings) && depends_on_board())
@@ -178,7 +178,8 @@ FlashContents FlashPlan::contents_for(const std::optional<FoundOnBoard>& found) 
 void FlashPlan::require_room_with(std::string_view panel, Size size) const
 {
     const auto controller = std::ranges::find(controller_names, panel);
-    if (told_ || !scene_ || controller == controller_names.end() || size.width <= 0 || size.height <= 0)
+    if (fixed_contents_ || !scene_ || controller == controller_names.end() || size.width <= 0 ||
+        size.height <= 0)
         return;
     BoardSettings settings = default_settings(BusKind::spi).settings;
     settings.panel = facts_of(static_cast<Controller>(controller - controller_names.begin())).default_value;

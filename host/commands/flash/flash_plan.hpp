@@ -54,7 +54,7 @@ public:
 private:
     bool depends_on_bus() const { return firmwares_.size() > 1; }
     const NamedFirmware* firmware_for(BusKind bus) const;
-    NamedSettings effective(const std::optional<NamedSettings>& told,
+    NamedSettings effective(const std::optional<NamedSettings>& given,
                             const std::optional<FoundOnBoard>& found) const;
     void check_fit(const BoardSettings& settings) const;
     /// Checked to go together, and the scene to find room.
@@ -64,7 +64,7 @@ private:
     std::optional<SceneFile> scene_;
     std::vector<NamedFirmware> firmwares_; ///< none, one, or those for all buses in the order of BusKind
     SettingsChoice settings_;
-    std::optional<FlashContents> told_; ///< if it does not depend on the board
+    std::optional<FlashContents> fixed_contents_; ///< if it does not depend on the board
 };
 
 }

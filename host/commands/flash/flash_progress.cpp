@@ -24,7 +24,7 @@ std::string word_of(FlashPhase phase)
 
 }
 
-void FlashProgress::tell(FlashPhase phase, std::size_t done, std::size_t total)
+void FlashProgress::report(FlashPhase phase, std::size_t done, std::size_t total)
 {
     if (shown_ == ProgressBar::Shown::no)
         return;

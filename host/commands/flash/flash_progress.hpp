@@ -13,7 +13,7 @@ class FlashProgress {
 public:
     explicit FlashProgress(ProgressBar::Shown shown) : shown_{shown} {}
 
-    void tell(FlashPhase phase, std::size_t done, std::size_t total);
+    void report(FlashPhase phase, std::size_t done, std::size_t total);
 
 private:
     void begin(FlashPhase phase, std::size_t total);

@@ -90,10 +90,10 @@ std::vector<DrawingValue> chosen_drawings(const DrawingOptions& options, const S
     return drawings;
 }
 
-void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, ToldInputs& told)
+void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, InputReceiver& receiver)
 {
     for (const DrawingValue& value : drawings)
-        if (!told.set_drawing(value.number, strokes_of(value.drawing)))
+        if (!receiver.set_drawing(value.number, strokes_of(value.drawing)))
             refuse_size(value.file, scene.input(value.number));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 #include "host/player/received_drawing.hpp"
 
 #include <CLI/CLI.hpp>
@@ -37,6 +37,6 @@ void require_drawing(const std::string& text, const SceneView& scene);
 std::vector<DrawingValue> chosen_drawings(const DrawingOptions& options, const SceneView& scene);
 
 /// Tells them to `told`. Throws CLI::ValidationError for one that has too much.
-void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, ToldInputs& told);
+void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, InputReceiver& receiver);
 
 }

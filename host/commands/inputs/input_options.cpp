@@ -114,15 +114,15 @@ std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneVi
     return values;
 }
 
-void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, ToldInputs& told)
+void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, InputReceiver& receiver)
 {
     std::uint32_t number = 0;
     for (InputCursor inputs = scene.inputs(); !inputs.at_end(); ++number) {
         const InputView input = inputs.next();
         if (input.type == InputType::text)
-            told.set_text(number, values[number].text);
+            receiver.set_text(number, values[number].text);
         else if (input.type == InputType::number)
-            told.set_input(number, input.place_of(values[number].number));
+            receiver.set_input(number, input.place_of(values[number].number));
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -32,6 +32,6 @@ void require_input(const std::string& text, const SceneView& scene);
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
 /// Puts them into `told`.
-void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, ToldInputs& told);
+void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, InputReceiver& receiver);
 
 }

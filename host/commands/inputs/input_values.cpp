@@ -7,10 +7,10 @@ InputValues chosen_values(const InputOptions& inputs, const DrawingOptions& draw
     return {chosen_inputs(inputs, scene), chosen_drawings(drawings, scene)};
 }
 
-void put_values(const InputValues& values, const SceneView& scene, ToldInputs& told)
+void put_values(const InputValues& values, const SceneView& scene, InputReceiver& receiver)
 {
-    put_inputs(values.values, scene, told);
-    put_drawings(values.drawings, scene, told);
+    put_inputs(values.values, scene, receiver);
+    put_drawings(values.drawings, scene, receiver);
 }
 
 }

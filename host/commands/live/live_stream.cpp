@@ -19,8 +19,9 @@ namespace {
 /// Values from standard input on their way to devices: a thread reads, and one for each device sends.
 class LiveStream {
 public:
-    LiveStream(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs, const LiveManner& manner)
-        : devices_{devices}, inputs_{inputs}, manner_{manner}, feeds_(devices.size())
+    LiveStream(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs,
+               const StreamOptions& stream_options)
+        : devices_{devices}, inputs_{inputs}, stream_options_{stream_options}, feeds_(devices.size())
     {
     }
 
@@ -52,7 +53,7 @@ private:
     void read_lines()
     {
         LineSource lines{STDIN_FILENO};
-        Metronome metronome{manner_.rate};
+        Metronome metronome{stream_options_.rate};
         while (!has_to_end() && !lines.is_over()) {
             const auto line = lines.next(unheeded_at_most);
             if (!line)
@@ -72,7 +73,7 @@ private:
         Session& session = device.session();
         try {
             arm(session);
-            send_live(session, feed, manner_.silence / 3);
+            send_live(session, feed, stream_options_.silence / 3);
             disarm(session);
         } catch (const Failure&) {
             has_failed_ = true;
@@ -81,22 +82,22 @@ private:
         }
     }
 
-    bool wants_watch() const { return manner_.afterwards != Afterwards::go_on; }
+    bool wants_watch() const { return stream_options_.afterwards != Afterwards::go_on; }
 
     /// So that it is done also if this computer just stops.
     void arm(Session& session) const
     {
-        const auto action =
-            manner_.afterwards == Afterwards::hold ? link::SilenceAction::hold : link::SilenceAction::start;
+        const auto action = stream_options_.afterwards == Afterwards::hold ? link::SilenceAction::hold
+                                                                           : link::SilenceAction::start;
         if (wants_watch())
-            session.order(link::Silence{static_cast<std::uint16_t>(manner_.silence.count()), action});
+            session.order(link::Silence{static_cast<std::uint16_t>(stream_options_.silence.count()), action});
     }
 
     void disarm(Session& session) const
     {
-        if (manner_.afterwards == Afterwards::hold)
+        if (stream_options_.afterwards == Afterwards::hold)
             session.order(link::Pause{});
-        if (manner_.afterwards == Afterwards::back)
+        if (stream_options_.afterwards == Afterwards::back)
             session.order(link::Play{.home = link::Home::start}, patience_to_begin);
         if (wants_watch())
             session.order(link::Silence{});
@@ -105,9 +106,9 @@ private:
     /// The same where nobody wants to wait any more.
     void leave(Session& session) const
     {
-        if (manner_.afterwards == Afterwards::hold)
+        if (stream_options_.afterwards == Afterwards::hold)
             session.take_leave(link::report_of(link::Pause{}, session.new_tag()));
-        if (manner_.afterwards == Afterwards::back)
+        if (stream_options_.afterwards == Afterwards::back)
             session.take_leave(link::report_of(link::Play{.home = link::Home::start}, session.new_tag()));
         if (wants_watch())
             session.take_leave(link::report_of(link::Silence{}, session.new_tag()));
@@ -115,7 +116,7 @@ private:
 
     std::span<RemoteDevice> devices_;
     std::span<const LiveInput> inputs_;
-    LiveManner manner_;
+    StreamOptions stream_options_;
     std::deque<LiveFeed> feeds_; ///< one a device
     std::atomic<bool> has_failed_ = false;
     std::exception_ptr mistake_; ///< of the reader
@@ -123,9 +124,10 @@ private:
 
 }
 
-void stream_live(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs, const LiveManner& manner)
+void stream_live(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs,
+                 const StreamOptions& stream_options)
 {
-    LiveStream{devices, inputs, manner}.run();
+    LiveStream{devices, inputs, stream_options}.run();
 }
 
 }

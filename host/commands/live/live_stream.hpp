@@ -15,7 +15,7 @@ enum class Afterwards {
     back, ///< to the scene of its start
 };
 
-struct LiveManner {
+struct StreamOptions {
     std::optional<double> rate; ///< lines a second; none: as they come
     Afterwards afterwards = Afterwards::go_on;
     Milliseconds silence{1000}; ///< after which a device takes this computer for gone
@@ -25,6 +25,6 @@ struct LiveManner {
 /// there. Throws what Session throws, Refusal, and Failure for a wrong line; the devices are left as asked
 /// even then.
 void stream_live(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs,
-                 const LiveManner& manner);
+                 const StreamOptions& stream_options);
 
 }

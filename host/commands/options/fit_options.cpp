@@ -67,13 +67,13 @@ fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, 
                             .item_names = scene.item_names,
                             .target = target,
                             .frames_per_second = options.frames_per_second,
-                            .tell = bar.teller()});
+                            .on_progress = bar.callback()});
 }
 
 fit::BeamFit beam_fit(const FitOptions& options, const fit::Target& target, const SceneFile& scene)
 {
     WorkBar bar{"measuring"};
-    return fit::beam_fit(scene.view, target, options.frames_per_second, {}, bar.teller());
+    return fit::beam_fit(scene.view, target, options.frames_per_second, {}, bar.callback());
 }
 
 std::string misfit_text(const std::string& file, const fit::Target& target,

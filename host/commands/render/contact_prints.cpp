@@ -65,11 +65,11 @@ ContactPlan contact_plan(const std::vector<ContactMoment>& moments, Size picture
 }
 
 std::vector<ContactPrint> contact_prints(const std::vector<ContactMoment>& moments, FrameSource& source,
-                                         const ProgressCallback& tell)
+                                         const ProgressCallback& on_progress)
 {
     std::vector<ContactPrint> prints;
     for (const auto& [time, text] : moments) {
-        tell(prints.size(), moments.size());
+        on_progress(prints.size(), moments.size());
         prints.push_back({widen(source.show(time)), text});
     }
     return prints;

@@ -34,6 +34,6 @@ ContactPlan contact_plan(const std::vector<ContactMoment>& moments, Size picture
 
 /// `source` draws pictures as large as planned.
 std::vector<ContactPrint> contact_prints(const std::vector<ContactMoment>& moments, FrameSource& source,
-                                         const ProgressCallback& tell);
+                                         const ProgressCallback& on_progress);
 
 }

@@ -111,7 +111,7 @@ PictureOptions drawn_at(PictureOptions options, Size size)
     return options;
 }
 
-void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source)
+void apply_inputs(const PictureOptions& options, const SceneFile& scene, InputReceiver& source)
 {
     put_values(chosen_values(options.inputs, options.drawings, scene.view), scene.view, source);
 }
@@ -130,7 +130,7 @@ std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const S
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene)
 {
     auto source = open_at_rest(options, scene);
-    tell_inputs(options, scene, *source);
+    apply_inputs(options, scene, *source);
     return source;
 }
 

@@ -45,7 +45,7 @@ Size shown_size(const PictureOptions& options, const SceneView& scene);
 PictureOptions drawn_at(PictureOptions options, Size size);
 
 /// Tells what is chosen. Throws as chosen_values() and put_values().
-void tell_inputs(const PictureOptions& options, const SceneFile& scene, ToldInputs& source);
+void apply_inputs(const PictureOptions& options, const SceneFile& scene, InputReceiver& source);
 
 /// Its inputs stand as usual. `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene);

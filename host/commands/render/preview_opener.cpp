@@ -3,7 +3,7 @@
 #include "host/file/input_file.hpp"
 #include "host/fit/board_choice.hpp"
 #include "host/preview/board/previewed_board.hpp"
-#include "host/preview/playback/programme.hpp"
+#include "host/preview/playback/playback_setup.hpp"
 #include "host/program/failure.hpp"
 #include "host/sound/beam_sound.hpp"
 #include "host/text/reported_diagnostics.hpp"
@@ -19,18 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Programme chosen_programme(const PlayOptions& options, const SceneView& scene,
+PlaybackSetup chosen_setup(const PlayOptions& options, const SceneView& scene,
                            const std::vector<InputValue>& inputs)
 {
-    Programme programme = programme_of(scene);
-    programme.speed = chosen_timeline(options, scene).speed;
-    const auto first = std::ranges::find(programme.parts, options.clip.value_or(""), &Part::name);
-    for (InputKnob& input : programme.inputs) {
+    PlaybackSetup playback_setup = playback_setup_of(scene);
+    playback_setup.speed = chosen_timeline(options, scene).speed;
+    const auto first = std::ranges::find(playback_setup.parts, options.clip.value_or(""), &Part::name);
+    for (InputKnob& input : playback_setup.inputs) {
         input.value = inputs[input.number].number;
         input.text = inputs[input.number].text;
     }
-    programme.first = static_cast<std::size_t>(first - programme.parts.begin());
-    return programme;
+    playback_setup.first = static_cast<std::size_t>(first - playback_setup.parts.begin());
+    return playback_setup;
 }
 
 /// On the screen of the ready profile that is nearest.
@@ -98,8 +98,8 @@ PreviewChoice without_unknown_names(PreviewChoice choice, const SceneView& scene
 
 SceneFile empty_scene(const fs::path& file)
 {
-    std::ostringstream untold;
-    return scene_of(file, "kfast 1\ncanvas 240 240\n", {}, printing_to(untold), untold);
+    std::ostringstream discarded;
+    return scene_of(file, "kfast 1\ncanvas 240 240\n", {}, printing_to(discarded), discarded);
 }
 
 }
@@ -170,8 +170,8 @@ std::unique_ptr<OpenedScene> PreviewOpener::open_first(const fs::path& file,
 std::unique_ptr<OpenedScene> PreviewOpener::empty(std::string mistakes, Reading& reading)
 {
     SceneFile scene = empty_scene(reading.file);
-    std::ostringstream untold;
-    const PreviewChoice choice = without_unknown_names(choice_, scene.view, untold);
+    std::ostringstream discarded;
+    const PreviewChoice choice = without_unknown_names(choice_, scene.view, discarded);
     auto empty = opened(choice, std::move(scene), reading);
     empty->mistakes = std::move(mistakes);
     return empty;
@@ -206,7 +206,7 @@ std::unique_ptr<OpenedScene> PreviewOpener::opened(const PreviewChoice& choice, 
         OpenedScene{.file = reading.file,
                     .scene = std::move(scene),
                     .source = {},
-                    .programme = chosen_programme(choice.play, view, inputs.values),
+                    .playback_setup = chosen_setup(choice.play, view, inputs.values),
                     .panel = {},
                     .fit = picture.fit,
                     .is_beam = picture.screen.beam.has_value()});
@@ -220,8 +220,8 @@ std::unique_ptr<OpenedScene> PreviewOpener::opened(const PreviewChoice& choice, 
     opened->is_round = !opened->is_beam && is_round_glass(opened->board->display);
     if (!opened->is_beam && (picture.panel != nullptr || board))
         opened->panel_name = opened->board->display.name;
-    opened->tell_drawings = [drawings = std::move(inputs.drawings), view](ToldInputs& told) {
-        put_drawings(drawings, view, told);
+    opened->apply_drawings = [drawings = std::move(inputs.drawings), view](InputReceiver& receiver) {
+        put_drawings(drawings, view, receiver);
     };
     opened->read = std::move(reading.read);
     return opened;

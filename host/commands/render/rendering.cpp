@@ -81,7 +81,7 @@ Rendered render_folder(const Rendering& job, const char* ending, Write write)
     const int count = job.timeline.frame_count();
     std::uintmax_t bytes = 0;
     for (int frame = 0; frame < count; ++frame) {
-        job.tell(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
+        job.on_progress(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
         const fs::path file = job.output / (frame_digits(frame) + ending);
         write(file, job.timeline.frame_time(frame));
         bytes += written_bytes(file);
@@ -99,17 +99,17 @@ Rendered render_moment(const Rendering& job, Write write)
 Rendered render_vectors(const Rendering& job, RenderKind kind)
 {
     SvgSource source = svg_source_of(job);
-    tell_inputs(job.options.picture, job.scene, source);
+    apply_inputs(job.options.picture, job.scene, source);
     const auto write = [&source](const fs::path& file, Time moment) { write_svg(file, source, moment); };
     if (kind == RenderKind::folder)
         return render_folder(job, ".svg", write);
     if (!job.options.all)
         return render_moment(job, write);
-    write_animated_svg(job.output, source, job.timeline, job.tell);
+    write_animated_svg(job.output, source, job.timeline, job.on_progress);
     return rendered(job, film_length(job));
 }
 
-void tell_padding(Size size)
+void report_padding(Size size)
 {
     if (is_padded(size))
         std::cerr << "kfast: videos have sides of even length: the last column or row of " << size.width
@@ -119,9 +119,9 @@ void tell_padding(Size size)
 Rendered render_video(const Rendering& job, RenderKind kind, FrameSource& source)
 {
     const int loops = job.options.loops.value_or(1);
-    tell_padding(drawn_size(job));
+    report_padding(drawn_size(job));
     const VideoKind video = kind == RenderKind::mp4 ? VideoKind::mp4 : VideoKind::webm;
-    write_video(job.output, video, source, job.timeline, loops, job.tell);
+    write_video(job.output, video, source, job.timeline, loops, job.on_progress);
     return rendered(job, film_length(job) * static_cast<std::size_t>(loops));
 }
 
@@ -134,10 +134,10 @@ Rendered render_film(const Rendering& job, RenderKind kind, FrameSource& source)
     case RenderKind::folder:
         return render_folder(job, ".png", write);
     case RenderKind::apng:
-        write_apng(job.output, source, job.timeline, job.tell);
+        write_apng(job.output, source, job.timeline, job.on_progress);
         return rendered(job, film_length(job));
     case RenderKind::gif:
-        write_gif(job.output, source, job.timeline, job.tell);
+        write_gif(job.output, source, job.timeline, job.on_progress);
         return rendered(job, gif_moments(job.timeline).size());
     case RenderKind::mp4:
     case RenderKind::webm:
@@ -153,7 +153,7 @@ Rendered render_sprite_sheet(const Rendering& job, FrameSource& source)
 {
     const fs::path list = output_path(sprite_list_path(job.output), job.options.file);
     const SpriteSheetForm form{*job.options.columns, job.options.has_way_back};
-    const SpriteSheet sheet = write_sprite_sheet(job.output, source, job.timeline, form, job.tell);
+    const SpriteSheet sheet = write_sprite_sheet(job.output, source, job.timeline, form, job.on_progress);
     return {counted(sheet.pictures, "frame") + " and " + list.filename().string(), sheet.size,
             written_bytes(job.output)};
 }
@@ -166,7 +166,7 @@ Rendered render_contact_sheet(const Rendering& job)
     const ContactPlan plan = contact_plan(moments, shown_size(asked, job.scene.view), job.options.scale);
     const PictureOptions chosen = plan.divisor == 1 ? asked : drawn_at(asked, plan.picture);
     const auto source = open_source(chosen, job.scene);
-    const auto prints = contact_prints(moments, *source, job.tell);
+    const auto prints = contact_prints(moments, *source, job.on_progress);
     const Picture sheet = scaled(contact_sheet(prints, plan.layout), job.options.scale);
     write_png(job.output, sheet);
     return {counted(moments.size(), "key") +

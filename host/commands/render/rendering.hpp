@@ -29,7 +29,7 @@ struct RenderOptions {
     bool quiet = false;
     PlayOptions play;
     PictureOptions picture;
-    bool is_format_told = false;
+    bool is_format_given = false;
 };
 
 /// What is to be done, when all options are known to fit each other.
@@ -38,7 +38,7 @@ struct Rendering {
     const SceneFile& scene;
     Timeline timeline;
     std::filesystem::path output;
-    ProgressCallback tell;
+    ProgressCallback on_progress;
 };
 
 /// What has been written.

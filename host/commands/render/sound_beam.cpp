@@ -15,7 +15,7 @@ BeamSource open_beam(const BeamProfile& profile, std::uint32_t budget, const Pic
                      const SceneFile& scene)
 {
     BeamSource source{scene.view, profile, budget};
-    tell_inputs(inputs, scene, source);
+    apply_inputs(inputs, scene, source);
     return source;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t bar_width = 20;
 /// Before, a rate would say little.
-constexpr double telling_seconds = 0.1;
+constexpr double min_rate_seconds = 0.1;
 
 std::string bar(std::size_t done, std::size_t total)
 {
@@ -52,7 +52,7 @@ std::string progress_text(std::size_t done, std::size_t total, std::chrono::dura
 {
     done = std::min(done, total);
     std::string text = share_text(done, total);
-    if (elapsed.count() < telling_seconds || done == 0)
+    if (elapsed.count() < min_rate_seconds || done == 0)
         return text;
     const double rate = static_cast<double>(done) / elapsed.count();
     return text + "  " + rate_text(rate) + rest_text(done, total, rate);
@@ -62,7 +62,7 @@ std::string work_text(std::size_t done, std::size_t total, std::chrono::duration
 {
     done = std::min(done, total);
     std::string text = share_text(done, total);
-    if (elapsed.count() < telling_seconds || done == 0)
+    if (elapsed.count() < min_rate_seconds || done == 0)
         return text;
     return text + rest_text(done, total, static_cast<double>(done) / elapsed.count());
 }

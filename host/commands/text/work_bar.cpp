@@ -9,7 +9,7 @@ constexpr std::chrono::seconds before_first_drawing{1};
 
 }
 
-void WorkBar::tell(std::size_t done, std::size_t total)
+void WorkBar::report(std::size_t done, std::size_t total)
 {
     if (!line_.is_seen() || total == 0)
         return;

@@ -14,11 +14,11 @@ public:
     /// To standard error. `what` stands in front: "drawing".
     explicit WorkBar(std::string what) : what_{std::move(what)} {}
 
-    void tell(std::size_t done, std::size_t total);
+    void report(std::size_t done, std::size_t total);
     /// The bar must outlive it.
-    ProgressCallback teller()
+    ProgressCallback callback()
     {
-        return [this](std::size_t done, std::size_t total) { tell(done, total); };
+        return [this](std::size_t done, std::size_t total) { report(done, total); };
     }
 
 private:

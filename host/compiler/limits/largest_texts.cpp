@@ -40,7 +40,7 @@ struct Largest {
     std::size_t min = 0; ///< of any character
 
     /// Else the text is not seen.
-    bool tells() const { return max != min; }
+    bool is_visible() const { return max != min; }
 };
 
 /// The characters that need most at some of the samples, and the one that has most points: the text may be
@@ -62,7 +62,7 @@ std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t num
     const std::vector<std::size_t> points = glyph_points(scene, number, input);
     std::set glyphs{static_cast<std::uint32_t>(std::ranges::max_element(points) - points.begin())};
     for (const Largest& at : largest)
-        if (at.tells())
+        if (at.is_visible())
             glyphs.insert(at.glyph);
     return glyphs;
 }
@@ -76,7 +76,7 @@ void put_texts(const LargestTexts& texts, OutlineMeter& meter)
 }
 
 std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
-                                      OutlineMeter& meter)
+                                        OutlineMeter& meter)
 {
     const std::vector<MeasuredMoment> samples = samples_of(scene, moments);
     std::vector<LargestTexts> sets{LargestTexts(scene.input_count())};

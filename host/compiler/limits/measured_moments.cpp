@@ -92,22 +92,22 @@ public:
     {
         put_default_places(scene.inputs(), default_value_);
         for (std::uint32_t i = 0; i < default_value_.size(); ++i)
-            telling_.push_back((scene.number_inputs() & bit_of_input(i)) != 0
-                                   ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
-                                                whole_input.ticks / even_places)
-                                   : std::vector<Time>{default_value_[i]});
+            sample_places_.push_back((scene.number_inputs() & bit_of_input(i)) != 0
+                                         ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
+                                                      whole_input.ticks / even_places)
+                                         : std::vector<Time>{default_value_[i]});
     }
 
     const std::vector<Time>& default_value() const { return default_value_; }
     /// Of one input, in order: even ones, those of its keys, and the tick before.
-    std::size_t telling_count(std::size_t input) const
+    std::size_t sample_count(std::size_t input) const
     {
-        return std::min(telling_[input].size(), most_telling);
+        return std::min(sample_places_[input].size(), max_samples);
     }
-    Time telling(std::size_t input, std::size_t index) const
+    Time sample_place(std::size_t input, std::size_t index) const
     {
-        const std::vector<Time>& places = telling_[input];
-        return places[index * places.size() / telling_count(input)];
+        const std::vector<Time>& places = sample_places_[input];
+        return places[index * places.size() / sample_count(input)];
     }
 
     /// Mostly an end, as a button puts it; the same ones every time.
@@ -117,7 +117,7 @@ public:
         if (choice < 4)
             return choice % 2 == 0 ? Time{} : whole_input;
         if (choice < 7)
-            return telling_[input][random_() % telling_[input].size()];
+            return sample_places_[input][random_() % sample_places_[input].size()];
         return default_value_[input];
     }
 
@@ -125,10 +125,10 @@ public:
 
 private:
     static constexpr std::int32_t even_places = 32;
-    static constexpr std::size_t most_telling = 256;
+    static constexpr std::size_t max_samples = 256;
 
     std::vector<Time> default_value_;
-    std::vector<std::vector<Time>> telling_;
+    std::vector<std::vector<Time>> sample_places_;
     std::mt19937 random_{1};
 };
 
@@ -139,9 +139,9 @@ void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
     const auto any_time = [&] { return times[places.random() % times.size()]; };
     const std::size_t inputs = places.default_value().size();
     for (std::size_t input = 0; input < inputs; ++input)
-        for (std::size_t i = 0; i < places.telling_count(input); ++i) {
+        for (std::size_t i = 0; i < places.sample_count(input); ++i) {
             moments.push_back({any_time(), places.default_value()});
-            moments.back().inputs[input] = places.telling(input, i);
+            moments.back().inputs[input] = places.sample_place(input, i);
         }
     for (const Time end : {Time{}, whole_input})
         for (const Time time : {times.front(), times[times.size() / 2]})

@@ -45,12 +45,12 @@ OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
 void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
 {
     if (on_panel_.texts.put(on_panel_.scene, number, text))
-        told_ |= bit_of_input(number);
+        changed_inputs_ |= bit_of_input(number);
 }
 
 const raster::Picture& OutlineMeter::picture_at(const SceneTime& moment)
 {
-    on_panel_.prepared.move_to(on_panel_.scene, moment, std::exchange(told_, 0));
+    on_panel_.prepared.move_to(on_panel_.scene, moment, std::exchange(changed_inputs_, 0));
     if (picture_.dependence.is_touched_by(on_panel_.prepared.moved()))
         trace();
     return picture_;

@@ -42,7 +42,7 @@ private:
     std::vector<BackboneNode> backbone_nodes_;
     std::vector<std::uint32_t> drawings_; // words, likewise
     std::vector<std::byte> texts_;
-    std::uint32_t told_ = 0; ///< a bit for each input whose text is another than in the picture
+    std::uint32_t changed_inputs_ = 0; ///< a bit for each input whose text is another than in the picture
     SceneOnPanel on_panel_;
     raster::Picture picture_;
 };

@@ -48,7 +48,7 @@ std::uint32_t borders_with_reserve(std::size_t borders)
 }
 
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
-                                          Diagnostics& diagnostics, const ProgressCallback& tell)
+                                          Diagnostics& diagnostics, const ProgressCallback& on_progress)
 {
     set_outline_needs(file, {.bytes = kfb::max_outline_bytes});
     const auto view = playable(file, scene, diagnostics);
@@ -66,7 +66,7 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
     for (const LargestTexts& texts : all_texts) {
         put_texts(texts, meter);
         for (const MeasuredMoment& measured : moments) {
-            tell(done++, steps);
+            on_progress(done++, steps);
             const raster::Picture& picture = meter.picture_at(measured.moment());
             const raster::OutlineStore& outlines = picture.outlines;
             if (outlines.is_full()) {

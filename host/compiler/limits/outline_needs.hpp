@@ -23,6 +23,6 @@ namespace kfast {
 /// curves. That is most of the work of compiling, and `tell` is told of it.
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
                                           Diagnostics& diagnostics,
-                                          const ProgressCallback& tell = tell_nobody);
+                                          const ProgressCallback& on_progress = ignore_progress);
 
 }

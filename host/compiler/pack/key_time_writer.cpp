@@ -27,7 +27,7 @@ std::vector<std::uint32_t> steps_of(const KeyTimes& key_times)
 std::uint32_t bits_for(std::uint32_t largest) { return static_cast<std::uint32_t>(std::bit_width(largest)); }
 
 /// A single beat is the same by any clock.
-Driver told_driver(const DrivenKeyTimes& key_times)
+Driver written_driver(const DrivenKeyTimes& key_times)
 {
     return key_times.key_times.size() == 1 ? Driver{} : key_times.driver;
 }
@@ -37,8 +37,8 @@ Driver told_driver(const DrivenKeyTimes& key_times)
 void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_value, ByteWriter& bytes)
 {
     const auto& key_times = driven.key_times;
-    const Driver driver = told_driver(driven);
-    if (key_times == default_value.key_times && driver == told_driver(default_value))
+    const Driver driver = written_driver(driven);
+    if (key_times == default_value.key_times && driver == written_driver(default_value))
         return bytes.varint(0);
     const std::vector<std::uint32_t> steps = steps_of(key_times);
     const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});

@@ -38,7 +38,7 @@ bool changes_nothing(const scene::Track& track, const scene::Item& item)
 
 /// Those that make a difference. A pivot makes none where nothing turns or grows, but for the width of
 /// wires.
-std::vector<const scene::Track*> telling_tracks(const scene::Item& item)
+std::vector<const scene::Track*> effective_tracks(const scene::Item& item)
 {
     std::vector<const scene::Track*> tracks;
     for (const scene::Track& track : item.tracks)
@@ -105,7 +105,7 @@ std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys)
 
 std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
 {
-    const std::vector<const scene::Track*> tracks = telling_tracks(item);
+    const std::vector<const scene::Track*> tracks = effective_tracks(item);
     const BeamStyle* beam = beam_style_of(item);
     if (tracks.empty() && beam == nullptr)
         return {};

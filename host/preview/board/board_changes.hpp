@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/fit/target.hpp"
-#include "host/preview/board/told_player.hpp"
+#include "host/preview/board/standalone_player.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct SentAreas {
 };
 
 /// Draws a scene as a board does, and tells what it sends to its panel.
-class BoardChanges final : public ToldPlayer {
+class BoardChanges final : public StandalonePlayer {
 public:
     /// `scene`'s bytes must outlive it. `board` has a panel. If its bands are less than the rows that the
     /// panel takes together, they are taken to be as large.
@@ -48,7 +48,7 @@ public:
     BoardPace(const SceneView& scene, const fit::Target& board, Fit fit);
 
     /// To set what the scene takes from outside.
-    ToldInputs& inputs() { return changes_; }
+    InputReceiver& inputs() { return changes_; }
     double seconds_for(Time moment);
 
 private:

@@ -39,7 +39,7 @@ void OverlayMarks::add_bones(const SeenLeaf& leaf)
 void OverlayMarks::add_other_bones()
 {
     std::uint32_t skeleton = 0;
-    for (SkeletonCursor all = stage_.scene.skeletons(); !all.at_end(); ++skeleton) {
+    for (SkeletonCursor all = viewport_.scene.skeletons(); !all.at_end(); ++skeleton) {
         all.skip();
         if (!deformers_.contains(skeleton))
             add_bones(skeleton, scene_.on_panel().canvas);
@@ -79,7 +79,7 @@ void OverlayMarks::add_number(const SeenStroke& stroke, std::size_t number)
 {
     std::vector<PanelSpot> spots;
     for (const Point point : stroke.points)
-        spots.push_back(stage_.spot(point));
+        spots.push_back(viewport_.spot(point));
     if (!add_label(middle_of(spots), number, MarkKind::stroke))
         add_label(spots.front(), number, MarkKind::stroke);
 }
@@ -91,7 +91,7 @@ void OverlayMarks::add_points(const SeenStroke& stroke)
     std::size_t number = 0;
     for (const Point point : stroke.points) {
         add_dot(point, MarkKind::point);
-        add_label(stage_.spot(point), ++number, MarkKind::point);
+        add_label(viewport_.spot(point), ++number, MarkKind::point);
     }
 }
 
@@ -104,13 +104,13 @@ void OverlayMarks::add_lines(const std::vector<Point>& points, MarkKind kind)
 void OverlayMarks::add_line(Point from, Point to, MarkKind kind)
 {
     if (overlay_.lines.size() < max_lines)
-        overlay_.lines.push_back({stage_.spot(from), stage_.spot(to), kind});
+        overlay_.lines.push_back({viewport_.spot(from), viewport_.spot(to), kind});
 }
 
 void OverlayMarks::add_dot(Point at, MarkKind kind)
 {
     if (overlay_.dots.size() < max_dots)
-        overlay_.dots.push_back({stage_.spot(at), kind});
+        overlay_.dots.push_back({viewport_.spot(at), kind});
 }
 
 bool OverlayMarks::add_label(PanelSpot at, std::size_t number, MarkKind kind)

@@ -5,7 +5,7 @@
 #include "host/preview/overlay/posed_scene.hpp"
 #include "host/preview/overlay/seen_bones.hpp"
 #include "host/preview/overlay/seen_strokes.hpp"
-#include "host/preview/overlay/stage.hpp"
+#include "host/preview/overlay/viewport.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,8 +22,8 @@ public:
     static constexpr std::size_t max_lines = 20'000;
     static constexpr std::size_t max_dots = 4'000;
 
-    OverlayMarks(const Stage& stage, const PosedScene& scene, double scale, Overlay& overlay)
-        : stage_{stage}, scene_{scene}, places_{scale}, overlay_{overlay}
+    OverlayMarks(const Viewport& viewport, const PosedScene& scene, double scale, Overlay& overlay)
+        : viewport_{viewport}, scene_{scene}, places_{scale}, overlay_{overlay}
     {
     }
 
@@ -46,7 +46,7 @@ private:
     void add_dot(Point at, MarkKind kind);
     bool add_label(PanelSpot at, std::size_t number, MarkKind kind);
 
-    const Stage& stage_;
+    const Viewport& viewport_;
     const PosedScene& scene_;
     LabelPlaces places_;
     Overlay& overlay_;

@@ -26,12 +26,13 @@ double distance(PanelSpot spot, PanelSpot from, PanelSpot to)
     return std::hypot(spot.x - from.x - share * x, spot.y - from.y - share * y);
 }
 
-double distance(const Stage& stage, PanelSpot spot, const std::vector<SeenStroke>& strokes)
+double distance(const Viewport& viewport, PanelSpot spot, const std::vector<SeenStroke>& strokes)
 {
     double min = near;
     for (const SeenStroke& stroke : strokes)
         for (std::size_t i = 1; i < stroke.line.size(); ++i)
-            min = std::min(min, distance(spot, stage.spot(stroke.line[i - 1]), stage.spot(stroke.line[i])));
+            min = std::min(min,
+                           distance(spot, viewport.spot(stroke.line[i - 1]), viewport.spot(stroke.line[i])));
     return min;
 }
 
@@ -43,12 +44,13 @@ bool is_selected(const SeenLeaf& leaf, const ViewOptions& view)
 }
 
 struct OverlaySource::Parts {
-    Stage stage;
-    PosedScene posed{stage.scene, stage.posed_panel(), stage.posed_fit()};
-    BoardChanges changes{stage.scene, stage.board ? *stage.board : previewed_board({stage.panel}), stage.fit};
-    PaintedItems painted{stage.scene, stage.panel, stage.fit};
+    Viewport viewport;
+    PosedScene posed{viewport.scene, viewport.posed_panel(), viewport.posed_fit()};
+    BoardChanges changes{viewport.scene, viewport.board ? *viewport.board : previewed_board({viewport.panel}),
+                         viewport.fit};
+    PaintedItems painted{viewport.scene, viewport.panel, viewport.fit};
 
-    std::array<ToldInputs*, 2> players() { return {&changes, &painted}; }
+    std::array<InputReceiver*, 2> players() { return {&changes, &painted}; }
 
     void add_marks(Time moment, const ViewOptions& view, double scale, Overlay& overlay);
     void add_changes(Time moment, Overlay& overlay);
@@ -58,7 +60,7 @@ struct OverlaySource::Parts {
 
 void OverlaySource::Parts::add_marks(Time moment, const ViewOptions& view, double scale, Overlay& overlay)
 {
-    OverlayMarks marks{stage, posed, scale, overlay};
+    OverlayMarks marks{viewport, posed, scale, overlay};
     posed.visit(moment, [&](const SeenLeaf& leaf) {
         if (view.bones)
             marks.add_bones(leaf);
@@ -76,7 +78,7 @@ void OverlaySource::Parts::add_changes(Time moment, Overlay& overlay)
     const SentAreas& sent = changes.show(moment);
     for (const Rect& area : sent.areas)
         overlay.areas.push_back({area, MarkKind::changed_area});
-    overlay.facts = sent.text(stage.panel);
+    overlay.facts = sent.text(viewport.panel);
 }
 
 std::optional<std::size_t> OverlaySource::Parts::painted_at(Time moment, PanelSpot spot)
@@ -97,7 +99,7 @@ std::optional<std::size_t> OverlaySource::Parts::drawn_near(Time moment, PanelSp
     std::optional<std::size_t> number;
     double min = near;
     posed.visit(moment, [&](const SeenLeaf& leaf) {
-        const double found = distance(stage, spot, seen_strokes(posed, leaf));
+        const double found = distance(viewport, spot, seen_strokes(posed, leaf));
         if (found < near && found <= min) {
             min = found;
             number = leaf.number();
@@ -106,14 +108,14 @@ std::optional<std::size_t> OverlaySource::Parts::drawn_near(Time moment, PanelSp
     return number;
 }
 
-OverlaySource::OverlaySource(const Stage& stage) : parts_{new Parts{stage}} {}
+OverlaySource::OverlaySource(const Viewport& viewport) : parts_{new Parts{viewport}} {}
 
 OverlaySource::~OverlaySource() = default;
 
 const Overlay& OverlaySource::show(Time moment, const ViewOptions& view, double scale)
 {
     overlay_ = {};
-    if (view.changed_areas && !parts_->stage.is_beam)
+    if (view.changed_areas && !parts_->viewport.is_beam)
         parts_->add_changes(moment, overlay_);
     if (view.bones || view.numbers || view.selected)
         parts_->add_marks(moment, view, scale, overlay_);
@@ -122,7 +124,7 @@ const Overlay& OverlaySource::show(Time moment, const ViewOptions& view, double 
 
 std::optional<std::size_t> OverlaySource::item_at(Time moment, PanelSpot spot)
 {
-    return parts_->stage.is_beam ? parts_->drawn_near(moment, spot) : parts_->painted_at(moment, spot);
+    return parts_->viewport.is_beam ? parts_->drawn_near(moment, spot) : parts_->painted_at(moment, spot);
 }
 
 ItemFacts OverlaySource::facts(Time moment, std::size_t item)
@@ -138,13 +140,13 @@ ItemFacts OverlaySource::facts(Time moment, std::size_t item)
 void OverlaySource::set_input(std::uint32_t number, Time place)
 {
     parts_->posed.set_input(number, place);
-    for (ToldInputs* const player : parts_->players())
+    for (InputReceiver* const player : parts_->players())
         player->set_input(number, place);
 }
 
 bool OverlaySource::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
 {
-    for (ToldInputs* const player : parts_->players())
+    for (InputReceiver* const player : parts_->players())
         player->set_drawing(number, strokes);
     return parts_->posed.set_drawing(number, strokes);
 }
@@ -152,7 +154,7 @@ bool OverlaySource::set_drawing(std::uint32_t number, std::span<const InputStrok
 void OverlaySource::set_text(std::uint32_t number, std::string_view text)
 {
     parts_->posed.set_text(number, text);
-    for (ToldInputs* const player : parts_->players())
+    for (InputReceiver* const player : parts_->players())
         player->set_text(number, text);
 }
 

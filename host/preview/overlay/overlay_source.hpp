@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 #include "host/preview/controls/view_options.hpp"
 #include "host/preview/overlay/overlay.hpp"
-#include "host/preview/overlay/stage.hpp"
+#include "host/preview/overlay/viewport.hpp"
 #include "host/preview/playback/item_facts.hpp"
 
 #include <cstddef>
@@ -17,10 +17,10 @@ namespace kfast {
 
 /// Makes what is drawn over the pictures of one scene. Its inputs are to be told as those of the FrameSource
 /// that makes the pictures.
-class OverlaySource final : public ToldInputs {
+class OverlaySource final : public InputReceiver {
 public:
     /// `stage.scene`'s bytes must outlive the source.
-    explicit OverlaySource(const Stage& stage);
+    explicit OverlaySource(const Viewport& viewport);
     ~OverlaySource() override;
 
     /// What `view` asks for, over the picture at a moment of the timeline; of an item that is selected also

@@ -10,7 +10,7 @@ constexpr int half_covered = raster::full_coverage / 2;
 }
 
 PaintedItems::PaintedItems(const SceneView& scene, Size panel, Fit fit)
-    : ToldPlayer{scene, panel, fit}, probe_{player()}
+    : StandalonePlayer{scene, panel, fit}, probe_{player()}
 {
 }
 

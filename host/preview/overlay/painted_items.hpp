@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/board/told_player.hpp"
+#include "host/preview/board/standalone_player.hpp"
 #include "host/preview/overlay/layer_probe.hpp"
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace kfast {
 
 /// Tells which item paints a pixel.
-class PaintedItems final : public ToldPlayer {
+class PaintedItems final : public StandalonePlayer {
 public:
     /// `scene`'s bytes must outlive it.
     PaintedItems(const SceneView& scene, Size panel, Fit fit);

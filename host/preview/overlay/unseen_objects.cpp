@@ -2,7 +2,7 @@
 
 #include "core/time/time.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/preview/board/told_player.hpp"
+#include "host/preview/board/standalone_player.hpp"
 #include "host/preview/overlay/layer_probe.hpp"
 #include "host/preview/overlay/posed_scene.hpp"
 #include "host/preview/playback/key_times.hpp"
@@ -21,7 +21,7 @@ namespace {
 /// How far it came at best; the later ones are more.
 enum class Shown : std::uint8_t { never, without_area, painted };
 
-bool is_told(const ItemView& item)
+bool is_input_leaf(const ItemView& item)
 {
     return item.kind == ItemKind::live &&
            (item.live.kind == InputLeaf::drawing || item.live.kind == InputLeaf::label);
@@ -35,7 +35,7 @@ public:
     {
         std::size_t number = 0;
         every_item(scene, [&](const ItemView& item) {
-            if (item.is_leaf() && !is_told(item))
+            if (item.is_leaf() && !is_input_leaf(item))
                 shown_[number] = Shown::never;
             ++number;
         });
@@ -84,7 +84,7 @@ private:
     }
 
     PosedScene posed_;
-    ToldPlayer painted_;
+    StandalonePlayer painted_;
     LayerProbe probe_{painted_.player()};
     std::map<std::size_t, Shown> shown_; ///< by the place in SceneFile::item_names
 };
@@ -110,7 +110,7 @@ std::vector<Time> frames_of(const SceneView& scene)
 }
 
 /// From 0 to `end`: evenly spaced ones, those of all keys that go by `clock`, and halfway between them.
-std::vector<Time> telling_moments(const SceneView& scene, Driver driver, Time end)
+std::vector<Time> sample_moments(const SceneView& scene, Driver driver, Time end)
 {
     constexpr int spaces = 16;
     std::vector<Time> moments = key_times(scene, driver);
@@ -142,12 +142,12 @@ struct Plan {
 
 Plan plan_of(const SceneView& scene)
 {
-    Plan plan{frames_of(scene), telling_moments(scene, {}, scene.length()), {}};
+    Plan plan{frames_of(scene), sample_moments(scene, {}, scene.length()), {}};
     for (std::uint32_t number = 0; number < scene.input_count(); ++number)
         if (const InputView input = scene.input(number); input.type == InputType::number)
             plan.inputs.push_back(
                 {number, input.place_of(input.default_value),
-                 telling_moments(scene, {static_cast<std::uint8_t>(number + 1)}, whole_input)});
+                 sample_moments(scene, {static_cast<std::uint8_t>(number + 1)}, whole_input)});
     return plan;
 }
 

@@ -16,9 +16,10 @@ constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 }
 
-PreviewPlayback::PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops)
-    : programme_{std::move(programme)}, pace_{pace}, loops_{loops}, part_{programme_.first},
-      speed_{programme_.speed}, playhead_{timeline().playhead(programme_.events)}, anchor_{now},
+PreviewPlayback::PreviewPlayback(PlaybackSetup playback_setup, Pace pace, Seconds now,
+                                 std::optional<int> loops)
+    : setup_{std::move(playback_setup)}, pace_{pace}, loops_{loops}, part_{setup_.first},
+      speed_{setup_.speed}, playhead_{timeline().playhead(setup_.events)}, anchor_{now},
       board_clock_{timeline().seconds(frame_ticks)}
 {
     start_part(part_, now);
@@ -26,7 +27,7 @@ PreviewPlayback::PreviewPlayback(Programme programme, Pace pace, Seconds now, st
 
 void PreviewPlayback::press(PreviewKey key, Seconds now)
 {
-    const std::size_t parts = programme_.parts.size();
+    const std::size_t parts = setup_.parts.size();
     advance_to(now);
     const bool was_help_open = std::exchange(help_open_, key == PreviewKey::help && !help_open_);
     switch (key) {
@@ -160,9 +161,9 @@ std::string PreviewPlayback::status() const
     if (loop_choice_ != LoopChoice::as_authored)
         status += loop_choice_ == LoopChoice::always ? "  loop always" : "  loop once";
     if (part_ != 0)
-        status += "  clip " + visible(programme_.parts[part_].name);
+        status += "  clip " + visible(setup_.parts[part_].name);
     if (input_) {
-        const InputKnob& input = programme_.inputs[*input_];
+        const InputKnob& input = setup_.inputs[*input_];
         std::snprintf(text, sizeof text, " %g", input.value / 1000.0);
         status += "  " + visible(input.name) + text;
     }
@@ -172,7 +173,7 @@ std::string PreviewPlayback::status() const
 void PreviewPlayback::start_part(std::size_t part, Seconds now)
 {
     part_ = part;
-    playhead_ = timeline().playhead(programme_.events);
+    playhead_ = timeline().playhead(setup_.events);
     stop_at(playhead_.moment());
     playing_ = true;
     restart_clock(now);
@@ -188,10 +189,10 @@ void PreviewPlayback::toggle_playing(Seconds now)
 
 void PreviewPlayback::choose_next_input()
 {
-    const std::size_t count = programme_.inputs.size();
+    const std::size_t count = setup_.inputs.size();
     std::size_t next = input_ ? *input_ + 1 : 0;
     for (std::size_t tried = 0; tried < count; ++tried, ++next)
-        if (programme_.inputs[next % count].can_turn()) {
+        if (setup_.inputs[next % count].can_turn()) {
             input_ = next % count;
             return;
         }
@@ -202,7 +203,7 @@ void PreviewPlayback::turn_input(int steps)
     if (!input_)
         choose_next_input();
     if (input_)
-        programme_.inputs[*input_].turn(steps);
+        setup_.inputs[*input_].turn(steps);
 }
 
 void PreviewPlayback::set_speed(std::int32_t speed)
@@ -232,7 +233,7 @@ void PreviewPlayback::choose_next_loop(Seconds now)
 void PreviewPlayback::go_on_at(Time moment, bool playing, Seconds now)
 {
     const PlayRange here = stretch();
-    playhead_ = timeline().playhead(programme_.events);
+    playhead_ = timeline().playhead(setup_.events);
     stop_at(std::clamp(moment, here.begin, here.end));
     playing_ = playing;
     restart_clock(now);
@@ -249,21 +250,21 @@ void PreviewPlayback::scrub(Time moment)
 void PreviewPlayback::continue_inputs(const PreviewPlayback& before)
 {
     for (const InputKnob& old : before.inputs()) {
-        const auto same = std::ranges::find(programme_.inputs, old.name, &InputKnob::name);
-        if (same == programme_.inputs.end() || !same->can_turn() || !old.can_turn())
+        const auto same = std::ranges::find(setup_.inputs, old.name, &InputKnob::name);
+        if (same == setup_.inputs.end() || !same->can_turn() || !old.can_turn())
             continue;
         if (old.is_turned)
             same->put(old.value);
         same->is_turned = old.is_turned;
-        if (before.input_ && &before.programme_.inputs[*before.input_] == &old)
-            input_ = static_cast<std::size_t>(same - programme_.inputs.begin());
+        if (before.input_ && &before.setup_.inputs[*before.input_] == &old)
+            input_ = static_cast<std::size_t>(same - setup_.inputs.begin());
     }
 }
 
 void PreviewPlayback::continue_from(const PreviewPlayback& before, Seconds now)
 {
-    const auto same = std::ranges::find(programme_.parts, before.part().name, &Part::name);
-    part_ = same == programme_.parts.end() ? 0 : static_cast<std::size_t>(same - programme_.parts.begin());
+    const auto same = std::ranges::find(setup_.parts, before.part().name, &Part::name);
+    part_ = same == setup_.parts.end() ? 0 : static_cast<std::size_t>(same - setup_.parts.begin());
     loop_choice_ = before.loop_choice_;
     speed_ = before.speed_;
     help_open_ = before.help_open_;
@@ -309,7 +310,7 @@ void PreviewPlayback::stop_at(Time moment)
 
 void PreviewPlayback::step_frame(int direction)
 {
-    const Timeline steps{programme_.frame_rate, stretch()};
+    const Timeline steps{setup_.frame_rate, stretch()};
     const int last = steps.frame_count() - 1;
     const int here = (shown_ - stretch().begin).ticks / Time::ticks_per_frame;
     if (direction > 0)
@@ -324,7 +325,7 @@ std::vector<Time> PreviewPlayback::stops() const
 {
     const auto [begin, end, loop] = stretch();
     std::vector<Time> stops;
-    for (const Time key : programme_.keys)
+    for (const Time key : setup_.keys)
         if (key >= begin && key <= end)
             stops.push_back(loop == Loop::repeat && key == end ? begin : key);
     if (stops.empty())
@@ -344,7 +345,7 @@ void PreviewPlayback::step_key(int direction)
     stop_at(here == keys.begin() ? keys.back() : *std::prev(here));
 }
 
-void tell_inputs(ToldInputs& source, const PreviewPlayback& playback)
+void apply_inputs(InputReceiver& source, const PreviewPlayback& playback)
 {
     for (const InputKnob& input : playback.inputs())
         if (input.range.type == InputType::text)
@@ -353,15 +354,15 @@ void tell_inputs(ToldInputs& source, const PreviewPlayback& playback)
             source.set_input(input.number, input.place());
 }
 
-void tell(FrameSource& source, const PreviewPlayback& playback)
+void apply_playback(FrameSource& source, const PreviewPlayback& playback)
 {
     source.reveal(playback.reveals_travel());
-    tell_inputs(source, playback);
+    apply_inputs(source, playback);
 }
 
 const Frame& show(FrameSource& source, const PreviewPlayback& playback)
 {
-    tell(source, playback);
+    apply_playback(source, playback);
     return source.show(playback.time());
 }
 

@@ -4,7 +4,7 @@
 #include "host/picture/timeline.hpp"
 #include "host/preview/board/board_clock.hpp"
 #include "host/preview/controls/preview_key.hpp"
-#include "host/preview/playback/programme.hpp"
+#include "host/preview/playback/playback_setup.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -37,13 +37,14 @@ public:
 
     /// With `loops`, quits once it has played so often (what plays once: one time), and shows nothing of the
     /// pass after. Stepping, and another clip, let the count begin anew.
-    PreviewPlayback(Programme programme, Pace pace, Seconds now, std::optional<int> loops = std::nullopt);
+    PreviewPlayback(PlaybackSetup playback_setup, Pace pace, Seconds now,
+                    std::optional<int> loops = std::nullopt);
 
     /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
     void advance_to(Seconds now);
     /// Who is told the events that are passed, in order; nobody at first.
-    void tell_events_to(OnEvent on_event) { on_event_ = std::move(on_event); }
+    void set_on_event(OnEvent on_event) { on_event_ = std::move(on_event); }
     /// Plays as slowly as a board, from here on: what is shown are the frames that it comes to. As ever if
     /// that is empty.
     void pace_by(BoardSeconds board, Seconds now);
@@ -64,9 +65,9 @@ public:
     /// For whoever has seen it.
     void close_help() { help_open_ = false; }
     /// What is played and how fast, as it was chosen by keys.
-    Timeline timeline() const { return {programme_.frame_rate, stretch(), speed_}; }
+    Timeline timeline() const { return {setup_.frame_rate, stretch(), speed_}; }
     PlayRange stretch() const;
-    const Part& part() const { return programme_.parts[part_]; }
+    const Part& part() const { return setup_.parts[part_]; }
     LoopChoice loop_choice() const { return loop_choice_; }
     /// The way of a beam is to be shown where it is not lit.
     bool reveals_travel() const { return reveals_travel_; }
@@ -74,7 +75,7 @@ public:
     /// When the next frame begins, while playing.
     Seconds next_frame_at() const;
     /// Those of the scene.
-    const std::vector<InputKnob>& inputs() const { return programme_.inputs; }
+    const std::vector<InputKnob>& inputs() const { return setup_.inputs; }
     /// The one of them that keys turn.
     std::optional<std::size_t> chosen_input() const { return input_; }
     /// "frame 12  0.400 s  playing", then what there is of the latest event as "  event step", "  speed
@@ -101,7 +102,7 @@ private:
     void turn_input(int steps);
     void choose_next_input();
 
-    Programme programme_;
+    PlaybackSetup setup_;
     Pace pace_;
     std::optional<int> loops_;
     std::size_t part_;
@@ -124,9 +125,9 @@ private:
 };
 
 /// What the keys made of the inputs.
-void tell_inputs(ToldInputs& source, const PreviewPlayback& playback);
+void apply_inputs(InputReceiver& source, const PreviewPlayback& playback);
 /// Tells `source` what the keys made of the inputs, and whether travel is revealed.
-void tell(FrameSource& source, const PreviewPlayback& playback);
+void apply_playback(FrameSource& source, const PreviewPlayback& playback);
 /// The picture where `playback` stands.
 const Frame& show(FrameSource& source, const PreviewPlayback& playback);
 

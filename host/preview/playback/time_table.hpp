@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/preview/playback/programme.hpp"
+#include "host/preview/playback/playback_setup.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "host/picture/frame_source.hpp"
 #include "host/preview/files/file_watch.hpp"
 #include "host/preview/files/panel_pictures.hpp"
-#include "host/preview/playback/programme.hpp"
+#include "host/preview/playback/playback_setup.hpp"
 #include "host/program/failure.hpp"
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct OpenedScene {
     std::filesystem::path file;
     SceneFile scene;
     std::unique_ptr<FrameSource> source; ///< looks into `scene`
-    Programme programme;                 ///< likewise
+    PlaybackSetup playback_setup;        ///< likewise
     Size panel;
     Fit fit = Fit::contain;
     bool is_round = false;       ///< the corners of the panel are not seen
@@ -36,7 +36,7 @@ struct OpenedScene {
     std::shared_ptr<const PanelPictures> beside = {}; ///< shown at the right of this one; or none
     /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
     /// empty.
-    std::function<void(ToldInputs&)> tell_drawings = {};
+    std::function<void(InputReceiver&)> apply_drawings = {};
     std::string warnings = {}; ///< what was found, line by line, if it was not printed
     /// Likewise, of a text that cannot be shown: this is an empty scene in its place.
     std::string mistakes = {};

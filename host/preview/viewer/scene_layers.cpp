@@ -17,34 +17,34 @@ bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
 }
 
 SceneLayers::SceneLayers(OpenedScene& scene)
-    : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{stage()},
+    : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{viewport()},
       skin_{scene.scene.view.colour(0)}
 {
-    if (scene.tell_drawings)
-        scene.tell_drawings(overlays_);
+    if (scene.apply_drawings)
+        scene.apply_drawings(overlays_);
 }
 
 const Overlay& SceneLayers::overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale)
 {
-    tell_inputs(overlays_, playback);
+    apply_inputs(overlays_, playback);
     return overlays_.show(playback.time(), view, scale);
 }
 
 std::optional<std::size_t> SceneLayers::item_at(const PreviewPlayback& playback, PanelSpot spot)
 {
-    tell_inputs(overlays_, playback);
+    apply_inputs(overlays_, playback);
     return overlays_.item_at(playback.time(), spot);
 }
 
 ItemFacts SceneLayers::facts(const PreviewPlayback& playback, std::size_t item)
 {
-    tell_inputs(overlays_, playback);
+    apply_inputs(overlays_, playback);
     return overlays_.facts(playback.time(), item);
 }
 
 std::vector<Time> SceneLayers::skin_keys(PlayRange played, std::optional<std::size_t> selected) const
 {
-    std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.programme.keys;
+    std::vector<Time> keys = selected ? table_.keys_of(*selected) : scene_.playback_setup.keys;
     std::erase_if(keys, [&](Time key) { return key < played.begin || key > played.end; });
     return keys;
 }
@@ -56,7 +56,7 @@ const Picture& SceneLayers::onion_skin(const PreviewPlayback& playback, std::opt
         skin_inputs_ = playback.inputs();
         skin_reveals_travel_ = playback.reveals_travel();
     }
-    tell(*scene_.source, playback);
+    apply_playback(*scene_.source, playback);
     return skin_.show(*scene_.source, playback.time(), skin_keys(playback.stretch(), selected));
 }
 
@@ -76,10 +76,10 @@ double SceneLayers::board_seconds(const PreviewPlayback& playback, Time moment)
 {
     if (pace_ == nullptr) {
         pace_ = std::make_unique<BoardPace>(scene_.scene.view, board(), scene_.fit);
-        if (scene_.tell_drawings)
-            scene_.tell_drawings(pace_->inputs());
+        if (scene_.apply_drawings)
+            scene_.apply_drawings(pace_->inputs());
     }
-    tell_inputs(pace_->inputs(), playback);
+    apply_inputs(pace_->inputs(), playback);
     return pace_->seconds_for(moment);
 }
 
@@ -94,7 +94,7 @@ const TimeTable& SceneLayers::table(const std::set<std::size_t>& unfolded)
     return unfolded_table_;
 }
 
-Stage SceneLayers::stage() const
+Viewport SceneLayers::viewport() const
 {
     return {scene_.scene.view, scene_.panel, scene_.fit, scene_.is_beam, scene_.board};
 }

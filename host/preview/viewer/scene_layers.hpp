@@ -43,7 +43,7 @@ public:
     std::optional<std::span<const FitLine>> fit_report();
 
 private:
-    Stage stage() const;
+    Viewport viewport() const;
     fit::Target board() const;
     std::vector<Time> skin_keys(PlayRange played, std::optional<std::size_t> selected) const;
 

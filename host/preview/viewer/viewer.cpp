@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::unique_ptr<PreviewPlayback> played(const OpenedScene& scene, Viewer::Seconds now,
                                         std::optional<int> loops)
 {
-    return std::make_unique<PreviewPlayback>(scene.programme, scene.source->pace(), now, loops);
+    return std::make_unique<PreviewPlayback>(scene.playback_setup, scene.source->pace(), now, loops);
 }
 
 /// Whether `key` makes other pictures of the frames than those that were generated.
@@ -135,10 +135,10 @@ void Viewer::set_zoom(int zoom)
     notice_.clear();
 }
 
-void Viewer::tell_events_to(PreviewPlayback::OnEvent on_event)
+void Viewer::set_on_event(PreviewPlayback::OnEvent on_event)
 {
     on_event_ = std::move(on_event);
-    playback_->tell_events_to(on_event_);
+    playback_->set_on_event(on_event_);
 }
 
 void Viewer::close()
@@ -159,7 +159,7 @@ void Viewer::put(ReadScene scene, std::unique_ptr<PreviewPlayback> playback, Sec
     all_frames_.reset();
     facts_.clear();
     playback_ = std::move(playback);
-    playback_->tell_events_to(on_event_);
+    playback_->set_on_event(on_event_);
     std::swap(shown_, scene); // layers before their scene, when the old ones go
     if (view_.board_speed)
         set_pace(now);
@@ -259,7 +259,7 @@ const Frame& Viewer::frame()
         facts_ = source.facts();
         return frame;
     }
-    tell(source, *playback_);
+    apply_playback(source, *playback_);
     source.accompany(playback_->time());
     facts_ = drawn->facts;
     return drawn->frame;

@@ -48,7 +48,7 @@ public:
     /// While it works, any key but stops the work.
     void press(PreviewKey key, Seconds now);
     /// Who is told the events that are passed, in order.
-    void tell_events_to(PreviewPlayback::OnEvent on_event);
+    void set_on_event(PreviewPlayback::OnEvent on_event);
     /// Another file, or the same afresh: from its beginning, with nothing selected. If that fails, what was
     /// open goes on, errors() says why, and it is tried again when that file changes.
     void open(const std::filesystem::path& file, Seconds now);

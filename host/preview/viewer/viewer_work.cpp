@@ -86,7 +86,7 @@ void Viewer::begin_gif()
 
 void Viewer::go_on_working()
 {
-    tell(*shown_.scene->source, *playback_);
+    apply_playback(*shown_.scene->source, *playback_);
     if (gif_ == nullptr) {
         all_frames_->add_next(*shown_.scene->source);
         notify(all_frames_->is_complete()

@@ -75,7 +75,7 @@ void PreviewScreen::draw(Painter& painter, Viewer& viewer, Seconds now)
     link_ = side_contents(viewer, place(viewer, parts.picture).scale()).draw(painter, parts.side);
     draw_time_line(painter, time_line(viewer, parts.time_line),
                    {.now = viewer.playback().time(),
-                    .frame_rate = viewer.scene().programme.frame_rate,
+                    .frame_rate = viewer.scene().playback_setup.frame_rate,
                     .selected = viewer.view().selected,
                     .clip = viewer.playback().part().name});
     draw_status(painter, parts.status, (facts.empty() ? "" : facts + "  ") + viewer.status(),

@@ -47,10 +47,10 @@ TEST_CASE("points come no faster than asked for")
 
 TEST_CASE("both programs have room beside each other")
 {
-    constexpr auto telling = pico::pio::telling_program(dac_bit(20'000'000));
-    constexpr auto clock = pico::pio::point_clock_program(point_clock(1250), telling.size());
-    CHECK(telling.size() + clock.size() <= 32);
-    CHECK((clock[3] & 0x1F) == telling.size() + 3); // goes round by itself
+    constexpr auto dac_output = pico::pio::dac_output_program(dac_bit(20'000'000));
+    constexpr auto clock = pico::pio::point_clock_program(point_clock(1250), dac_output.size());
+    CHECK(dac_output.size() + clock.size() <= 32);
+    CHECK((clock[3] & 0x1F) == dac_output.size() + 3); // goes round by itself
 }
 
 }

@@ -1,11 +1,11 @@
 // An image for tests: changes flash that the program does not use, and tells over the log what it reads there
 // then.
 
+#include "boards/pico/app/log.hpp"
 #include "boards/pico/chip/clock.hpp"
 #include "boards/pico/chip/clocks.hpp"
 #include "boards/pico/chip/flash.hpp"
 #include "boards/pico/chip/watchdog.hpp"
-#include "boards/pico/stage/log.hpp"
 #include "core/bytes/crc32.hpp"
 
 #include <array>
@@ -20,7 +20,7 @@ constexpr Pin log_pin = 0;
 
 std::array<std::byte, 2 * flash::page_bytes> pages;
 
-void tell(std::string_view what)
+void print(std::string_view what)
 {
     const auto* const flash_begin = reinterpret_cast<const std::byte*>(0x1000'0000);
     Crc32 sum;
@@ -33,15 +33,15 @@ void tell(std::string_view what)
 
 void try_flash()
 {
-    tell("BEFORE");
+    print("BEFORE");
     flash::erase(place, size);
-    tell("ERASED");
+    print("ERASED");
     for (std::size_t i = 0; i < pages.size(); ++i)
         pages[i] = static_cast<std::byte>(i * 7);
     flash::program(place + flash::sector_bytes - flash::page_bytes, pages);
-    tell("PROGRAMMED");
+    print("PROGRAMMED");
     flash::erase(place, flash::sector_bytes);
-    tell("HALF");
+    print("HALF");
     log.send_waiting();
 }
 

@@ -1,4 +1,4 @@
-#include "boards/pico/stage/log_buffer.hpp"
+#include "boards/pico/app/log_buffer.hpp"
 
 #include <doctest/doctest.h>
 

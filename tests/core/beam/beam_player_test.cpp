@@ -1,5 +1,5 @@
 #include "core/player.hpp"
-#include "tests/core/beam/beam_stage.hpp"
+#include "tests/core/beam/beam_player_fixture.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/rounds.hpp"
@@ -68,7 +68,7 @@ struct GuardedBeam {
 };
 
 /// All that is told from outside, at random.
-void tell_anything(BeamPlayer& player, std::mt19937& random)
+void set_random_inputs(BeamPlayer& player, std::mt19937& random)
 {
     const SceneView& scene = player.scene();
     for (std::uint32_t number = 0; number < scene.input_count(); ++number)
@@ -109,17 +109,17 @@ std::string zigzag(int corners, int from, int to)
 
 TEST_CASE("the corners of a line are among its points, with y upwards")
 {
-    BeamStage stage{R"(kfast 1
+    BeamPlayerFixture fixture{R"(kfast 1
         canvas 256 256
         object line stroke=white { line 0 0 256 0 256 256 })"};
-    const auto points = stage.points({});
+    const auto points = fixture.points({});
     const auto is_drawn = [&](FieldPoint at) {
         return std::ranges::any_of(points, [at](const BeamPoint& point) { return point.at == at; });
     };
     CHECK(is_drawn({-32768, 32767}));
     CHECK(is_drawn({32767, 32767}));
     CHECK(is_drawn({32767, -32768}));
-    CHECK(points.size() == stage.player.report().points);
+    CHECK(points.size() == fixture.player.report().points);
 }
 
 TEST_CASE("scenes keep to budget and block at any time")
@@ -143,10 +143,10 @@ TEST_CASE("a picture does not depend on those before")
 {
     std::mt19937 random{12};
     for (const std::uint32_t budget : {50U, 200U, 100'000U}) {
-        BeamStage travelled{everything, crt_profile, budget};
+        BeamPlayerFixture travelled{everything, crt_profile, budget};
         for (int round = 0; round < rounds(60); ++round) {
             const Time time{static_cast<std::int32_t>(random() % (30 * 1024))};
-            BeamStage fresh{travelled.bytes, crt_profile, budget};
+            BeamPlayerFixture fresh{travelled.bytes, crt_profile, budget};
             REQUIRE(travelled.points(time) == fresh.points(time));
         }
     }
@@ -175,10 +175,10 @@ TEST_CASE("there is room for whatever a scene draws, at every resolution")
 
 TEST_CASE("what lies outside the field parks the beam")
 {
-    BeamStage stage{
+    BeamPlayerFixture fixture{
         "kfast 1\ncanvas 100 100\nobject o stroke=white { circle 1000 0 r=300; line 200 -50 0 -9 }"};
-    CHECK(stage.points({}) == std::vector<BeamPoint>{{scope_profile.park}});
-    CHECK(stage.player.report().is_complete);
+    CHECK(fixture.points({}) == std::vector<BeamPoint>{{scope_profile.park}});
+    CHECK(fixture.player.report().is_complete);
 }
 
 TEST_CASE("huge scales keep to the field")
@@ -210,8 +210,8 @@ TEST_CASE("live drawings of as many points as there may be keep to budget and bl
                     for (int i = 0; i < (max_points < 4000 ? max_points : 4096); ++i)
                         stroke.push_back(
                             {static_cast<std::int16_t>(random()), static_cast<std::int16_t>(random())});
-                const std::vector<InputStroke> told(strokes.begin(), strokes.end());
-                REQUIRE(beam.player.set_drawing(0, told));
+                const std::vector<InputStroke> drawing(strokes.begin(), strokes.end());
+                REQUIRE(beam.player.set_drawing(0, drawing));
                 beam.player.show({});
                 beam.check();
             }
@@ -254,7 +254,7 @@ TEST_CASE("inputs may stand anywhere")
                 rect 0 0 50 50; circle 20 20 r=9 } })"),
                      crt_profile, 2000};
     for (int round = 0; round < rounds(300); ++round) {
-        tell_anything(beam.player, random);
+        set_random_inputs(beam.player, random);
         beam.player.show({});
         beam.check();
     }
@@ -306,8 +306,8 @@ TEST_CASE("lit points lie where the stroke of the picture on a panel is")
     const std::string text =
         "kfast 1\ncanvas 256 256 frames=30\nobject o stroke=white width=2 rotate-y=20 {" + shapes;
     constexpr Size panel{256, 256};
-    Stage raster{text, panel};
-    BeamStage beam{text};
+    PlayerFixture raster{text, panel};
+    BeamPlayerFixture beam{text};
     for (int frame = 0; frame <= 30; frame += 3) {
         const Bytes pixels = raster.picture<PixelFormat::rgb666>(Time::frame(frame));
         for (const BeamPoint& point : beam.points(Time::frame(frame))) {
@@ -330,8 +330,8 @@ TEST_CASE("lines of the examples lie on what a panel shows")
             continue;
         CAPTURE(file.path().string());
         const Bytes scene = compiled(text_of(file.path()));
-        Stage raster{scene, panel};
-        BeamStage beam{scene, scope_profile, 100'000};
+        PlayerFixture raster{scene, panel};
+        BeamPlayerFixture beam{scene, scope_profile, 100'000};
         for (int step = 0; step < 8; ++step) {
             const Time time{static_cast<std::int32_t>(std::int64_t{beam.scene.length().ticks} * step / 8)};
             const Bytes pixels = raster.picture<PixelFormat::rgb666>(time);
@@ -344,14 +344,14 @@ TEST_CASE("lines of the examples lie on what a panel shows")
 
 TEST_CASE("a morph between one closed fill and two draws no seams")
 {
-    BeamStage stage{R"(kfast 1
+    BeamPlayerFixture fixture{R"(kfast 1
         canvas 256 256 frames=10
         object o fill=white { key 0 { circle 128 128 r=50 }; key 10 { circle 60 128 r=30; circle 200 128 r=30 } })"};
-    stage.player.show(Time{1});
-    const std::uint64_t around = stage.player.report().lit_length;
+    fixture.player.show(Time{1});
+    const std::uint64_t around = fixture.player.report().lit_length;
     CHECK(around == doctest::Approx(2 * 3.14159 * 50 * 256).epsilon(0.01));
-    stage.player.show_moment(Time::frame(10));
-    CHECK(stage.player.report().lit_length == doctest::Approx(4 * 3.14159 * 30 * 256).epsilon(0.01));
+    fixture.player.show_moment(Time::frame(10));
+    CHECK(fixture.player.report().lit_length == doctest::Approx(4 * 3.14159 * 30 * 256).epsilon(0.01));
 }
 
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_route.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #include "core/beam/hatching.hpp"
-#include "tests/core/beam/beam_stage.hpp"
+#include "tests/core/beam/beam_player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ using Polygon = std::vector<Point>;
 
 double pixels(Fixed value) { return value.raw() / 65536.0; }
 
-void tell(const std::vector<Polygon>& polygons, Hatching& hatching)
+void feed(const std::vector<Polygon>& polygons, Hatching& hatching)
 {
     for (const Polygon& polygon : polygons) {
         hatching.begin(polygon.front());
@@ -41,7 +41,7 @@ PieceList hatched(const std::vector<Polygon>& polygons, const BeamStyle& style, 
 {
     std::vector<std::uint32_t> memory(1 << 16);
     Hatching hatching{std::as_writable_bytes(std::span{memory}), style, 0, 0};
-    tell(polygons, hatching);
+    feed(polygons, hatching);
     REQUIRE(!hatching.is_full());
     PieceList list;
     hatching.trace(rule, {}, list);
@@ -97,23 +97,23 @@ double area_of(const std::vector<Polygon>& polygons, FillRule rule)
     return area;
 }
 
-BeamStage hatched_square(const std::string& properties)
+BeamPlayerFixture hatched_square(const std::string& properties)
 {
-    return BeamStage{"kfast 1\ncanvas 256 256\nobject o fill=white " + properties +
-                     " { rect 20 20 100 100 }"};
+    return BeamPlayerFixture{"kfast 1\ncanvas 256 256\nobject o fill=white " + properties +
+                             " { rect 20 20 100 100 }"};
 }
 
 }
 
 TEST_CASE("a square is crossed by lines half a spacing from its edges, if these begin at a whole one")
 {
-    BeamStage stage = hatched_square("beam=hatch hatch=10 hatch-angle=0");
-    CHECK(stage.player.report().lines == 10);
-    CHECK(stage.player.report().lit_length == 10 * 100 * 256);
-    CHECK(stage.player.report().wider_hatchings == 0);
-    CHECK_FALSE(stage.player.is_coarse());
+    BeamPlayerFixture fixture = hatched_square("beam=hatch hatch=10 hatch-angle=0");
+    CHECK(fixture.player.report().lines == 10);
+    CHECK(fixture.player.report().lit_length == 10 * 100 * 256);
+    CHECK(fixture.player.report().wider_hatchings == 0);
+    CHECK_FALSE(fixture.player.is_coarse());
     // from each line to the next at the same side, and the way back
-    CHECK(stage.player.report().blanked_length <= (9 + 9 + 100) * 10 * 256);
+    CHECK(fixture.player.report().blanked_length <= (9 + 9 + 100) * 10 * 256);
 }
 
 TEST_CASE("an object is drawn as it says")
@@ -127,7 +127,7 @@ TEST_CASE("an object is drawn as it says")
 TEST_CASE("holes stay free by the rule of the fill")
 {
     const auto ring = [](const std::string& rule) {
-        return BeamStage{
+        return BeamPlayerFixture{
             "kfast 1\ncanvas 256 256\nobject o fill=white beam=hatch hatch=10 hatch-angle=0 rule=" + rule +
             " { rect 0 0 200 200; rect 50 50 100 100 }"}
             .player.report()
@@ -199,7 +199,7 @@ TEST_CASE("a hatching that finds no room says so")
     std::array<std::uint32_t, 28> memory; // 112 bytes: 14 for a crossing
     const auto is_full = [&](int wider) {
         Hatching hatching{std::as_writable_bytes(std::span{memory}), {.spacing = 64}, wider, 0};
-        tell({square}, hatching);
+        feed({square}, hatching);
         return hatching.is_full();
     };
     CHECK(is_full(0));
@@ -210,22 +210,22 @@ TEST_CASE("a hatching that finds no room says so")
 TEST_CASE("a hatching without room is wider, and the report tells of it")
 {
     // Far larger than the canvas, which the memory goes by.
-    BeamStage stage{R"(kfast 1
+    BeamPlayerFixture fixture{R"(kfast 1
         canvas 64 64
         object o fill=white beam=hatch hatch=0.5 { polygon -1900 -1900 1900 -1900 1900 1900 -1900 1900 })"};
-    CHECK(stage.player.report().wider_hatchings == 1);
-    CHECK(stage.player.report().lines > 0);
-    CHECK(stage.player.is_coarse());
+    CHECK(fixture.player.report().wider_hatchings == 1);
+    CHECK(fixture.player.report().lines > 0);
+    CHECK(fixture.player.is_coarse());
 }
 
 TEST_CASE("a hatching turns in space with its object")
 {
-    BeamStage stage{R"(kfast 1
+    BeamPlayerFixture fixture{R"(kfast 1
         canvas 256 256
         object o fill=white beam=hatch hatch=16 hatch-angle=0 rotate-y=60 { rect 64 64 128 128 })"};
-    CHECK(stage.player.report().lines == 8);
-    CHECK(stage.player.report().lit_length < 8 * 128 * 256 * 6 / 10);
-    CHECK(stage.player.report().lit_length > 8 * 128 * 256 * 4 / 10);
+    CHECK(fixture.player.report().lines == 8);
+    CHECK(fixture.player.report().lit_length < 8 * 128 * 256 * 6 / 10);
+    CHECK(fixture.player.report().lit_length > 8 * 128 * 256 * 4 / 10);
 }
 
 }

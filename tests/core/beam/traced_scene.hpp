@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_tracer.hpp"
 #include "core/pose/scene_state.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <cstdint>
 #include <utility>

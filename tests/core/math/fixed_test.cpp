@@ -25,7 +25,7 @@ TEST_CASE("a ratio is rounded to nearest, whichever way it is computed")
 TEST_CASE("ratios never fall as their numerator rises")
 {
     for (std::uint32_t numerator = 1; numerator <= 40'000; ++numerator)
-        REQUIRE(Fraction::ratio(numerator - 1, 40'000) <= Share::ratio(numerator, 40'000));
+        REQUIRE(Fraction::ratio(numerator - 1, 40'000) <= Fraction::ratio(numerator, 40'000));
 }
 
 TEST_CASE("lerp is exact at both ends and rounds halves up between them")

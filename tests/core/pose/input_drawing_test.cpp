@@ -28,7 +28,7 @@ struct Sheet {
     {
         return std::as_writable_bytes(std::span{memory}).first(InputDrawing::bytes_for(limits));
     }
-    bool tell(const ReceivedDrawing& strokes)
+    bool set(const ReceivedDrawing& strokes)
     {
         for (const auto& stroke : strokes) {
             drawing.begin_stroke();
@@ -46,13 +46,13 @@ TEST_CASE("a drawing is empty at first, and shows the next one from show() on")
 {
     Sheet sheet{2, 5};
     CHECK(received_drawing(sheet.drawing).empty());
-    const ReceivedDrawing told{{{1, 2}, {3, 4}, {-32768, 32767}}, {{5, 6}}};
-    CHECK(sheet.tell(told));
+    const ReceivedDrawing received{{{1, 2}, {3, 4}, {-32768, 32767}}, {{5, 6}}};
+    CHECK(sheet.set(received));
     CHECK(received_drawing(sheet.drawing).empty());
     CHECK(sheet.drawing.show());
-    CHECK(received_drawing(sheet.drawing) == told);
-    CHECK(sheet.tell({{{7, 8}}}));
-    CHECK(received_drawing(sheet.drawing) == told);
+    CHECK(received_drawing(sheet.drawing) == received);
+    CHECK(sheet.set({{{7, 8}}}));
+    CHECK(received_drawing(sheet.drawing) == received);
     CHECK(sheet.drawing.show());
     CHECK(received_drawing(sheet.drawing) == ReceivedDrawing{{{7, 8}}});
     CHECK(sheet.drawing.show());
@@ -76,23 +76,23 @@ TEST_CASE("a drawing takes as many strokes and points as it may have, and no mor
         }
     }
     Sheet sheet{2, 9};
-    CHECK_FALSE(sheet.tell({{{1, 1}}, {{2, 2}}, {{3, 3}}}));
+    CHECK_FALSE(sheet.set({{{1, 1}}, {{2, 2}}, {{3, 3}}}));
 }
 
 TEST_CASE("strokes without points are none, and begin() drops what has been told")
 {
     Sheet sheet{2, 9};
     sheet.drawing.set_mark(9);
-    CHECK(sheet.tell({{}, {{1, 1}}, {}, {}, {{2, 2}}, {}}));
+    CHECK(sheet.set({{}, {{1, 1}}, {}, {}, {{2, 2}}, {}}));
     CHECK(sheet.drawing.mark() == 9);
     sheet.drawing.show();
     CHECK(sheet.drawing.mark() == 0);
     CHECK(received_drawing(sheet.drawing) == ReceivedDrawing{{{1, 1}}, {{2, 2}}});
-    CHECK(sheet.tell({{{3, 3}}}));
+    CHECK(sheet.set({{{3, 3}}}));
     sheet.drawing.set_mark(9);
     sheet.drawing.begin();
     CHECK(sheet.drawing.mark() == 0);
-    CHECK(sheet.tell({{{4, 4}}}));
+    CHECK(sheet.set({{{4, 4}}}));
     sheet.drawing.show();
     CHECK(received_drawing(sheet.drawing) == ReceivedDrawing{{{4, 4}}});
 }
@@ -104,9 +104,9 @@ TEST_CASE("show() tells whether anything differs")
     const ReceivedDrawing drawings[]{{{{1, 2}, {3, 4}}}, {{{1, 2}, {3, 5}}},           {{{1, 2}}, {{3, 5}}},
                                      {{{1, 2}}},         {{{1, 2}}, {{3, 5}, {6, 7}}}, {}};
     for (const ReceivedDrawing& drawing : drawings) {
-        CHECK(sheet.tell(drawing));
+        CHECK(sheet.set(drawing));
         CHECK(sheet.drawing.show());
-        CHECK(sheet.tell(drawing));
+        CHECK(sheet.set(drawing));
         CHECK_FALSE(sheet.drawing.show());
         CHECK(received_drawing(sheet.drawing) == drawing);
     }

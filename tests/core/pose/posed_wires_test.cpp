@@ -3,7 +3,7 @@
 #include "core/pose/object_strokes.hpp"
 #include "core/pose/scene_on_panel.hpp"
 #include "core/scene_walk.hpp"
-#include "tests/core/beam/beam_stage.hpp"
+#include "tests/core/beam/beam_player_fixture.hpp"
 #include "tests/core/math/exact_space.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/rounds.hpp"
@@ -168,10 +168,11 @@ TEST_CASE("a line is as wide as one that faces the viewer at the pivot, however 
 {
     // a line along the axis of the turn
     const auto width_of = [](const std::string& properties) {
-        Stage stage{"kfast 1\ncanvas 64 64 camera=100\nobject o stroke=white width=8 pivot-x=32 pivot-y=32 " +
-                        properties + " { wire 32 -20 0 32 90 0 }",
-                    {64, 64}};
-        const Bytes pixels = stage.picture<PixelFormat::grey4>({});
+        PlayerFixture fixture{
+            "kfast 1\ncanvas 64 64 camera=100\nobject o stroke=white width=8 pivot-x=32 pivot-y=32 " +
+                properties + " { wire 32 -20 0 32 90 0 }",
+            {64, 64}};
+        const Bytes pixels = fixture.picture<PixelFormat::grey4>({});
         const std::string row = row_text(Bytes(pixels.begin() + 32 * 32, pixels.begin() + 33 * 32));
         return std::ranges::count(row, 'f');
     };
@@ -185,9 +186,9 @@ TEST_CASE("a line is as wide as one that faces the viewer at the pivot, however 
 
 TEST_CASE("a beam draws wires where a panel shows them")
 {
-    BeamStage stage{"kfast 1\ncanvas 256 256 camera=512\n"
-                    "object o stroke=white { wire 128 128 0  160 128 256  128 192 -512 }"};
-    const auto points = stage.points({});
+    BeamPlayerFixture fixture{"kfast 1\ncanvas 256 256 camera=512\n"
+                              "object o stroke=white { wire 128 128 0  160 128 256  128 192 -512 }"};
+    const auto points = fixture.points({});
     const auto is_drawn = [&](int x, int y) {
         return std::ranges::any_of(points, [&](const BeamPoint& point) {
             return std::abs(point.at.x - x) <= 16 && std::abs(point.at.y - y) <= 16;
@@ -203,9 +204,9 @@ TEST_CASE("wires that only their depth moves do not stand still")
     const std::string text =
         "kfast 1\ncanvas 60 60 camera=60 frames=20\nobject o stroke=white width=2 {\n"
         "key 0 { wire 10 10 0 50 10 0 50 50 0 }\nkey 20 { wire 10 10 -60 50 10 0 50 50 0 }\n}";
-    Stage on_the_way{text, {60, 60}};
+    PlayerFixture on_the_way{text, {60, 60}};
     on_the_way.picture({});
-    Stage at_once{text, {60, 60}};
+    PlayerFixture at_once{text, {60, 60}};
     for (const int frame : {1, 7, 13, 19}) {
         const Bytes picture = on_the_way.picture(Time::frame(frame));
         CHECK(picture == at_once.picture(Time::frame(frame)));

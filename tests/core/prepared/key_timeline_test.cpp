@@ -1,6 +1,6 @@
 #include "core/prepared/key_timeline.hpp"
 
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/core/triangle_state.hpp"
 
 #include <doctest/doctest.h>

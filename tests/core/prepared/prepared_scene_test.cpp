@@ -2,8 +2,8 @@
 
 #include "core/time/hermite.hpp"
 #include "tests/core/moved_scene.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/core/raw_bones.hpp"
-#include "tests/core/stage.hpp"
 
 #include <doctest/doctest.h>
 

@@ -80,7 +80,7 @@ int open_any(const char* path, int flags, mode_t mode)
 }
 
 /// `call` is stat or lstat.
-int tell_about(int (*call)(const char*, struct stat*), const char* path, struct stat* about)
+int stat_device(int (*call)(const char*, struct stat*), const char* path, struct stat* about)
 {
     const std::string here = below_root(path);
     const int result = call(here.empty() ? path : here.c_str(), about);
@@ -169,12 +169,12 @@ int access(const char* path, int mode)
 
 int stat(const char* path, struct stat* about)
 {
-    return tell_about(real<int(const char*, struct stat*)>("stat"), path, about);
+    return stat_device(real<int(const char*, struct stat*)>("stat"), path, about);
 }
 
 int lstat(const char* path, struct stat* about)
 {
-    return tell_about(real<int(const char*, struct stat*)>("lstat"), path, about);
+    return stat_device(real<int(const char*, struct stat*)>("lstat"), path, about);
 }
 
 /// libgpiod asks whether a device belongs to /sys/bus/gpio, and what is behind a link.

@@ -126,11 +126,11 @@ public:
     {
         switch (request) {
         case GPIO_GET_CHIPINFO_IOCTL:
-            return tell(*static_cast<gpiochip_info*>(argument));
+            return fill(*static_cast<gpiochip_info*>(argument));
         case GPIO_GET_LINEINFO_IOCTL:
-            return tell(*static_cast<gpioline_info*>(argument));
+            return fill(*static_cast<gpioline_info*>(argument));
         case GPIO_V2_GET_LINEINFO_IOCTL:
-            return tell(*static_cast<gpio_v2_line_info*>(argument));
+            return fill(*static_cast<gpio_v2_line_info*>(argument));
         case GPIO_GET_LINEHANDLE_IOCTL:
             return give(*static_cast<gpiohandle_request*>(argument));
         case GPIO_V2_GET_LINE_IOCTL:
@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    int tell(gpiochip_info& info) const
+    int fill(gpiochip_info& info) const
     {
         copy(chip_.name, info.name);
         const auto label = chip_.description.find("label");
@@ -149,7 +149,7 @@ private:
         info.lines = chip_.line_count();
         return 0;
     }
-    int tell(gpioline_info& info) const
+    int fill(gpioline_info& info) const
     {
         if (info.line_offset >= chip_.line_count())
             return EINVAL;
@@ -161,7 +161,7 @@ private:
         info.flags = taker.empty() ? 0 : GPIOLINE_FLAG_KERNEL;
         return 0;
     }
-    int tell(gpio_v2_line_info& info) const
+    int fill(gpio_v2_line_info& info) const
     {
         if (info.offset >= chip_.line_count())
             return EINVAL;

@@ -1,5 +1,5 @@
 #include "core/scene/scene_view.hpp"
-#include "firmware/link/stage.hpp"
+#include "firmware/link/playback_session.hpp"
 #include "tests/compiled.hpp"
 
 #include <doctest/doctest.h>
@@ -33,17 +33,17 @@ public:
     {
         is_armed = false;
         settings_.controls[0] = {ControlKind::button, ControlAction::arm, arm_pin, {}};
-        stage_.emplace(StageFacts{.settings = settings_,
-                                  .panel_size = {256, 256},
-                                  .player_bytes = beam_player_bytes,
-                                  .block = std::as_writable_bytes(std::span{block_}),
-                                  .built_in = scene_,
-                                  .set_armed = is_laser ? set_armed : nullptr});
-        stage_->begin();
-        stage_->scene_started(*SceneView::parse(scene_));
+        playback_.emplace(BoardFacts{.settings = settings_,
+                                     .panel_size = {256, 256},
+                                     .player_bytes = beam_player_bytes,
+                                     .block = std::as_writable_bytes(std::span{block_}),
+                                     .built_in = scene_,
+                                     .set_armed = is_laser ? set_armed : nullptr});
+        playback_->begin();
+        playback_->scene_started(*SceneView::parse(scene_));
     }
 
-    Stage& stage() { return *stage_; }
+    PlaybackSession& playback() { return *playback_; }
 
     /// Long enough to be no bouncing.
     void press()
@@ -51,8 +51,8 @@ public:
         for (const bool is_down : {true, true, false, false}) {
             finger_.is_down = is_down;
             now_ = now_ + Microseconds{50'000};
-            Playhead playhead = stage_->playhead();
-            stage_->steer(playhead, finger_, now_);
+            Playhead playhead = playback_->playhead();
+            playback_->steer(playhead, finger_, now_);
         }
     }
 
@@ -62,7 +62,7 @@ public:
         for (const bool is_down : {true, true, false, false}) {
             finger_.is_down = is_down;
             now_ = now_ + Microseconds{50'000};
-            stage_->watch_arming(finger_, now_);
+            playback_->watch_arming(finger_, now_);
         }
     }
 
@@ -74,7 +74,7 @@ private:
     std::vector<std::byte> scene_ = compiled(scene_text);
     BoardSettings settings_;
     std::vector<std::uint32_t> block_ = std::vector<std::uint32_t>(20'000);
-    std::optional<Stage> stage_;
+    std::optional<PlaybackSession> playback_;
     Finger finger_;
     Microseconds now_{};
 };
@@ -84,7 +84,7 @@ private:
 TEST_CASE("a laser begins disarmed")
 {
     Bench bench;
-    CHECK(bench.stage().playing().arming == Arming::disarmed);
+    CHECK(bench.playback().playing().arming == Arming::disarmed);
     CHECK_FALSE(Bench::is_armed);
 }
 
@@ -93,10 +93,10 @@ TEST_CASE("a button arms a laser, and disarms it")
     Bench bench;
     bench.press();
     CHECK(Bench::is_armed);
-    CHECK(bench.stage().playing().arming == Arming::armed);
+    CHECK(bench.playback().playing().arming == Arming::armed);
     bench.press();
     CHECK_FALSE(Bench::is_armed);
-    CHECK(bench.stage().playing().arming == Arming::disarmed);
+    CHECK(bench.playback().playing().arming == Arming::disarmed);
 }
 
 TEST_CASE("a button disarms between frames, and when nothing plays any more")
@@ -107,7 +107,7 @@ TEST_CASE("a button disarms between frames, and when nothing plays any more")
     CHECK_FALSE(Bench::is_armed);
     bench.press();
     CHECK(Bench::is_armed);
-    bench.stage().fault();
+    bench.playback().fault();
     bench.press_between_frames();
     CHECK_FALSE(Bench::is_armed);
 }
@@ -115,13 +115,13 @@ TEST_CASE("a button disarms between frames, and when nothing plays any more")
 TEST_CASE("a computer arms a laser, and it is dark when the computer is gone")
 {
     Bench bench;
-    CHECK(bench.stage().arm() == Status::ok);
+    CHECK(bench.playback().arm() == Status::ok);
     CHECK(Bench::is_armed);
-    bench.stage().lose_computer();
+    bench.playback().lose_computer();
     CHECK_FALSE(Bench::is_armed);
-    CHECK(bench.stage().playing().arming == Arming::disarmed);
-    bench.stage().arm();
-    CHECK(bench.stage().disarm() == Status::ok);
+    CHECK(bench.playback().playing().arming == Arming::disarmed);
+    bench.playback().arm();
+    CHECK(bench.playback().disarm() == Status::ok);
     CHECK_FALSE(Bench::is_armed);
 }
 
@@ -129,17 +129,17 @@ TEST_CASE("what somebody at the board has armed does not depend on a computer")
 {
     Bench bench;
     bench.press();
-    bench.stage().lose_computer();
+    bench.playback().lose_computer();
     CHECK(Bench::is_armed);
-    bench.stage().arm(); // changes nothing, not even whose it is
-    bench.stage().lose_computer();
+    bench.playback().arm(); // changes nothing, not even whose it is
+    bench.playback().lose_computer();
     CHECK(Bench::is_armed);
 }
 
 TEST_CASE("who stands at the board disarms what the computer has armed")
 {
     Bench bench;
-    bench.stage().arm();
+    bench.playback().arm();
     bench.press();
     CHECK_FALSE(Bench::is_armed);
 }
@@ -148,20 +148,20 @@ TEST_CASE("another scene leaves a laser as it is")
 {
     Bench bench;
     bench.press();
-    bench.stage().play_nothing();
-    bench.stage().begin();
-    bench.stage().fault();
+    bench.playback().play_nothing();
+    bench.playback().begin();
+    bench.playback().fault();
     CHECK(Bench::is_armed);
-    CHECK(bench.stage().playing().arming == Arming::armed);
+    CHECK(bench.playback().playing().arming == Arming::armed);
 }
 
 TEST_CASE("what is no laser is not armed")
 {
     Bench bench{false};
-    CHECK(bench.stage().arm() == Status::no_laser);
-    CHECK(bench.stage().disarm() == Status::no_laser);
+    CHECK(bench.playback().arm() == Status::no_laser);
+    CHECK(bench.playback().disarm() == Status::no_laser);
     bench.press();
-    CHECK(bench.stage().playing().arming == Arming::none);
+    CHECK(bench.playback().playing().arming == Arming::none);
     CHECK_FALSE(Bench::is_armed);
 }
 

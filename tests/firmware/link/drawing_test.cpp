@@ -170,10 +170,11 @@ TEST_CASE("what an input does not take is refused, and what it shows stays")
     CHECK(bench.last_failure().status == Status::drawing_large);
     CHECK(bench.device.drawing(1) == default_value);
     bench.send(drawing_reports({}, 0, 1));
-    CHECK(bench.last_failure() == Verdict{Status::no_drawing});
+    CHECK(bench.last_failure() == StatusWithNumber{Status::no_drawing});
     bench.send(drawing_reports({}, 3, 1));
-    CHECK(bench.last_failure() == Verdict{Status::no_such_input, 3});
-    CHECK(bench.refusal(Drawing{.which = 1, .part = 0, .count = 15}) == Verdict{Status::drawing_broken});
+    CHECK(bench.last_failure() == StatusWithNumber{Status::no_such_input, 3});
+    CHECK(bench.refusal(Drawing{.which = 1, .part = 0, .count = 15}) ==
+          StatusWithNumber{Status::drawing_broken});
     CHECK(bench.does(Drawing{.which = 1, .part = 0, .count = 14}));
     CHECK(bench.does(Points{.which = 1, .part = 0}));
 }

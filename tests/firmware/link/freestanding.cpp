@@ -1,4 +1,4 @@
-#include "firmware/link/conversation.hpp"
+#include "firmware/link/link_service.hpp"
 #include "firmware/settings/rp2040_flash.hpp"
 
 static_assert(__STDC_HOSTED__ == 0, "compiled with -ffreestanding");
@@ -23,8 +23,8 @@ struct BoardPipe {
 
 // So the templates are compiled as well.
 template class kfast::SlotStore<kfast::test::BoardFlash>;
-template class kfast::link::Link<kfast::link::Stage, kfast::test::BoardFlash>;
-template class kfast::link::Conversation<kfast::test::BoardPipe, kfast::test::BoardFlash>;
+template class kfast::link::Link<kfast::link::PlaybackSession, kfast::test::BoardFlash>;
+template class kfast::link::LinkService<kfast::test::BoardPipe, kfast::test::BoardFlash>;
 static_assert(sizeof(kfast::SlotStore<kfast::test::BoardFlash>) < 5000);
-static_assert(sizeof(kfast::link::Conversation<kfast::test::BoardPipe, kfast::test::BoardFlash>) < 1200);
+static_assert(sizeof(kfast::link::LinkService<kfast::test::BoardPipe, kfast::test::BoardFlash>) < 1200);
 static_assert(kfast::rp2040::slot_places.pool_bytes == 1528 * 1024);

@@ -58,7 +58,7 @@ struct LinkBench {
     }
     /// Why it is not done.
     template <class M>
-    Verdict refusal(const M& message)
+    StatusWithNumber refusal(const M& message)
     {
         const auto failure = ask<link::Failure>(message);
         CHECK(failure.request == static_cast<std::uint8_t>(M::kind));
@@ -74,7 +74,7 @@ struct LinkBench {
             send(block_of(scene, number), tag);
     }
     /// From begin to commit, as if no report was ever lost.
-    Verdict upload(const link::Begin& begin, std::span<const std::byte> scene, std::uint8_t tag)
+    StatusWithNumber upload(const link::Begin& begin, std::span<const std::byte> scene, std::uint8_t tag)
     {
         send(begin, tag);
         send_blocks(scene, tag);
@@ -104,13 +104,13 @@ struct LinkBench {
     }
 
     /// Fetches all that there is; the failure among it.
-    Verdict last_failure()
+    StatusWithNumber last_failure()
     {
-        Verdict verdict;
+        StatusWithNumber result;
         while (const auto report = link.next_report())
             if (const auto failure = link::message_of<link::Failure>(*report))
-                verdict = {failure->status, failure->number};
-        return verdict;
+                result = {failure->status, failure->number};
+        return result;
     }
     std::uint32_t link_errors() { return ask<link::Statistics>(link::AskStatistics{}).link_errors; }
     void wait(std::uint32_t milliseconds)

@@ -20,8 +20,8 @@ TEST_CASE("when the computer falls silent that is done which it asked for, once"
         CHECK(bench.does(Silence{.milliseconds = 200, .action = action}));
         const auto is_done = [&] {
             return action == SilenceAction::hold ? bench.device.now.is_paused
-                                                 : bench.device.programme.home == Home::built_in &&
-                                                       !bench.device.programme.scene.empty();
+                                                 : bench.device.selection.home == Home::built_in &&
+                                                       !bench.device.selection.scene.empty();
         };
         for (int report = 0; report < 5; ++report) {
             bench.wait(199);
@@ -66,8 +66,8 @@ TEST_CASE("a device that lies idle returns to the start")
     LinkBench bench;
     bench.device.is_left_alone = true;
     bench.wait(1);
-    CHECK(bench.device.programme.home == Home::built_in);
-    CHECK_FALSE(bench.device.programme.scene.empty());
+    CHECK(bench.device.selection.home == Home::built_in);
+    CHECK_FALSE(bench.device.selection.scene.empty());
 }
 
 TEST_CASE("a new session has nothing to do with the old one")
@@ -80,8 +80,8 @@ TEST_CASE("a new session has nothing to do with the old one")
     CHECK(bench.link.has_report());
     bench.link.begin_session();
     CHECK_FALSE(bench.link.has_report());
-    CHECK(bench.device.loans_ended == 1);
-    CHECK(bench.refusal(Cancel{}) == Verdict{Status::no_transfer});
+    CHECK(bench.device.leases_ended == 1);
+    CHECK(bench.refusal(Cancel{}) == StatusWithNumber{Status::no_transfer});
     CHECK(bench.ask<Failure>(Commit{}, tag).status == Status::no_transfer);
 }
 

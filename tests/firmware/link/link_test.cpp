@@ -54,8 +54,8 @@ TEST_CASE("a scene goes into a slot, is listed, chosen, played and erased")
     CHECK(bench.ask<Capabilities>(Hello{}).room_bytes == 9 * 4096);
 
     CHECK(bench.does(Play{.home = Home::slot, .slot = 3}));
-    CHECK(bench.device.programme.home == Home::slot);
-    CHECK(bench.device.programme.slot == 3);
+    CHECK(bench.device.selection.home == Home::slot);
+    CHECK(bench.device.selection.slot == 3);
     CHECK(bench.device.shown.size() == SceneView::parse(scene)->size());
     CHECK(std::equal(bench.device.shown.begin(), bench.device.shown.end(), scene.begin()));
     CHECK(bench.ask<Playing>(AskPlaying{}).slot == 3);
@@ -66,32 +66,32 @@ TEST_CASE("a scene goes into a slot, is listed, chosen, played and erased")
     slot = bench.ask<SlotContents>(AskSlot{.slot = 3});
     CHECK(slot.size == 0);
     CHECK(slot.name.view().empty());
-    CHECK(bench.refusal(Play{.home = Home::slot, .slot = 3}) == Verdict{Status::empty_slot});
+    CHECK(bench.refusal(Play{.home = Home::slot, .slot = 3}) == StatusWithNumber{Status::empty_slot});
 }
 
 TEST_CASE("a scene goes into RAM and plays from there, a clip as well")
 {
     LinkBench bench;
     const Scene scene = padded_scene(2000, 1);
-    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
     CHECK(bench.upload(LinkBench::begin_for_ram(scene), scene, tag).is_ok());
     CHECK(bench.flash.operations() == 0);
     CHECK(bench.does(Play{.home = Home::ram, .slot = 5}));
     CHECK(bench.device.ram == scene);
-    CHECK(bench.device.programme.home == Home::ram);
-    CHECK(bench.device.programme.slot == no_slot);
+    CHECK(bench.device.selection.home == Home::ram);
+    CHECK(bench.device.selection.slot == no_slot);
 
     CHECK(bench.does(Play{.home = Home::here, .clip = {"rise"}}));
-    CHECK(bench.device.programme.home == Home::ram);
-    CHECK(bench.device.programme.clip == Name{"rise"});
-    CHECK(bench.refusal(Play{.clip = {"fall"}}) == Verdict{Status::no_such_clip});
-    CHECK(bench.device.programme.clip == Name{"rise"});
+    CHECK(bench.device.selection.home == Home::ram);
+    CHECK(bench.device.selection.clip == Name{"rise"});
+    CHECK(bench.refusal(Play{.clip = {"fall"}}) == StatusWithNumber{Status::no_such_clip});
+    CHECK(bench.device.selection.clip == Name{"rise"});
 
     // A new one takes its place, and until it is whole there is none.
     bench.ask<Begun>(LinkBench::begin_for_ram(scene), 43);
     CHECK_FALSE(bench.device.playing().is_playing);
-    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
-    CHECK(bench.refusal(Play{.home = Home::here}) == Verdict{Status::nothing_plays});
+    CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
+    CHECK(bench.refusal(Play{.home = Home::here}) == StatusWithNumber{Status::nothing_plays});
 }
 
 TEST_CASE("the built-in scene plays when asked for, if it is one")
@@ -100,12 +100,12 @@ TEST_CASE("the built-in scene plays when asked for, if it is one")
     CHECK(bench.does(Play{.home = Home::built_in}));
     CHECK(bench.device.shown.size() == SceneView::parse(bench.device.built_in_scene)->size());
     bench.device.built_in_scene.assign(100, std::byte{0xFF});
-    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::no_scene});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == StatusWithNumber{Status::no_scene});
     bench.device.built_in_scene.assign(100, std::byte{0x5A});
-    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::bad_magic});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == StatusWithNumber{Status::bad_magic});
     bench.device.built_in_scene = padded_scene(2000, 2);
     bench.device.largest_that_plays = 10;
-    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::block_too_small});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == StatusWithNumber{Status::block_too_small});
 }
 
 TEST_CASE("playing is steered")
@@ -120,8 +120,8 @@ TEST_CASE("playing is steered")
     CHECK(bench.device.now.moment == Time{-5});
     CHECK(bench.does(Speed{.speed = -16 * 65536}));
     CHECK(bench.device.now.speed == -16 * 65536);
-    CHECK(bench.refusal(Speed{.speed = 16 * 65536 + 1}) == Verdict{Status::bad_value});
-    CHECK(bench.refusal(Speed{.speed = -16 * 65536 - 1}) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(Speed{.speed = 16 * 65536 + 1}) == StatusWithNumber{Status::bad_value});
+    CHECK(bench.refusal(Speed{.speed = -16 * 65536 - 1}) == StatusWithNumber{Status::bad_value});
     CHECK(bench.does(Brightness{.brightness = 12}));
     CHECK(bench.device.now.brightness == 12);
     CHECK_FALSE(bench.device.is_in_boot_loader);
@@ -132,8 +132,8 @@ TEST_CASE("playing is steered")
 TEST_CASE("a laser is armed and disarmed, and what is none is not")
 {
     LinkBench bench;
-    CHECK(bench.refusal(Arm{}) == Verdict{Status::no_laser});
-    CHECK(bench.refusal(Disarm{}) == Verdict{Status::no_laser});
+    CHECK(bench.refusal(Arm{}) == StatusWithNumber{Status::no_laser});
+    CHECK(bench.refusal(Disarm{}) == StatusWithNumber{Status::no_laser});
     bench.device.now.arming = Arming::disarmed;
     CHECK(bench.does(Arm{}));
     CHECK(bench.device.now.arming == Arming::armed);
@@ -144,7 +144,7 @@ TEST_CASE("a laser is armed and disarmed, and what is none is not")
 TEST_CASE("inputs are set together, or none of them")
 {
     LinkBench bench;
-    CHECK(bench.refusal(Inputs{.count = 1}) == Verdict{Status::no_such_input, 0});
+    CHECK(bench.refusal(Inputs{.count = 1}) == StatusWithNumber{Status::no_such_input, 0});
     CHECK(bench.does(Play{.home = Home::built_in}));
     Inputs inputs{.count = 2};
     inputs.places = {{{1, Time{65536}}, {0, Time{7}}, {9, Time{-1}}}};
@@ -153,13 +153,13 @@ TEST_CASE("inputs are set together, or none of them")
 
     bench.device.inputs.clear();
     inputs.places[1] = {2, Time{0}};
-    CHECK(bench.refusal(inputs) == Verdict{Status::no_such_input, 2});
+    CHECK(bench.refusal(inputs) == StatusWithNumber{Status::no_such_input, 2});
     inputs.places[1] = {0, Time{65537}};
-    CHECK(bench.refusal(inputs) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(inputs) == StatusWithNumber{Status::bad_value});
     inputs.places[1] = {0, Time{-1}};
-    CHECK(bench.refusal(inputs) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(inputs) == StatusWithNumber{Status::bad_value});
     inputs.count = 13;
-    CHECK(bench.refusal(inputs) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(inputs) == StatusWithNumber{Status::bad_value});
     CHECK(bench.device.inputs.empty());
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a text is as long as it says, and for an input that is one")
     LinkBench bench;
     Text text{.input = 1, .length = 5};
     std::ranges::copy(std::as_bytes(std::span{"12:456", 6}), text.bytes.begin());
-    CHECK(bench.refusal(text) == Verdict{Status::no_such_input, 0});
+    CHECK(bench.refusal(text) == StatusWithNumber{Status::no_such_input, 0});
     CHECK(bench.does(Play{.home = Home::built_in}));
     CHECK(bench.does(text));
     CHECK(bench.device.texts[1] == "12:45");
@@ -180,12 +180,12 @@ TEST_CASE("a text is as long as it says, and for an input that is one")
     CHECK(bench.device.texts[1].size() == 60);
 
     text.length = Text::max + 1;
-    CHECK(bench.refusal(text) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(text) == StatusWithNumber{Status::bad_value});
     CHECK(bench.device.texts[1].size() == 60);
     text = {.input = 2, .length = 0};
-    CHECK(bench.refusal(text) == Verdict{Status::no_such_input, 2});
+    CHECK(bench.refusal(text) == StatusWithNumber{Status::no_such_input, 2});
     text.input = PretendDevice::no_text;
-    CHECK(bench.refusal(text) == Verdict{Status::no_text});
+    CHECK(bench.refusal(text) == StatusWithNumber{Status::no_text});
     CHECK(bench.device.texts.size() == 1);
 }
 
@@ -207,34 +207,36 @@ TEST_CASE("with tag 0 only failures are answered")
 TEST_CASE("slots that there are not are refused")
 {
     LinkBench bench;
-    const Verdict none{Status::no_such_slot, 8};
+    const StatusWithNumber none{Status::no_such_slot, 8};
     CHECK(bench.refusal(AskSlot{.slot = 8}) == none);
     CHECK(bench.refusal(EraseSlot{.slot = 8}) == none);
     CHECK(bench.refusal(ChooseSlot{.slot = 8}) == none);
     CHECK(bench.refusal(Play{.home = Home::slot, .slot = 255}) == none);
     CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 8, .size = 1}) == none);
-    CHECK(bench.refusal(EraseSlot{.slot = 0}) == Verdict{Status::empty_slot});
-    CHECK(bench.refusal(ChooseSlot{.slot = 0}) == Verdict{Status::empty_slot});
+    CHECK(bench.refusal(EraseSlot{.slot = 0}) == StatusWithNumber{Status::empty_slot});
+    CHECK(bench.refusal(ChooseSlot{.slot = 0}) == StatusWithNumber{Status::empty_slot});
 }
 
 TEST_CASE("an upload that cannot be is refused at its beginning")
 {
     LinkBench bench;
-    CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 0, .size = 0}) == Verdict{Status::bad_value});
-    CHECK(bench.refusal(Begin{.home = Home::built_in, .slot = 0, .size = 9}) == Verdict{Status::bad_value});
+    CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 0, .size = 0}) ==
+          StatusWithNumber{Status::bad_value});
+    CHECK(bench.refusal(Begin{.home = Home::built_in, .slot = 0, .size = 9}) ==
+          StatusWithNumber{Status::bad_value});
     CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 0, .size = 0xFFFF * 60 + 1}) ==
-          Verdict{Status::bad_value});
+          StatusWithNumber{Status::bad_value});
     CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 0, .size = 0xFFFF * 60}) ==
-          Verdict{Status::no_room, 12 * 4096});
-    CHECK(bench.refusal(Begin{.home = Home::ram, .size = 20'001}) == Verdict{Status::too_large, 20'000});
+          StatusWithNumber{Status::no_room, 12 * 4096});
+    CHECK(bench.refusal(Begin{.home = Home::ram, .size = 20'001}) == StatusWithNumber{Status::too_large, 20'000});
 }
 
 TEST_CASE("an input is told by its number")
 {
     LinkBench bench;
-    CHECK(bench.refusal(AskInput{.input = 0}) == Verdict{Status::nothing_plays});
+    CHECK(bench.refusal(AskInput{.input = 0}) == StatusWithNumber{Status::nothing_plays});
     CHECK(bench.does(Play{.home = Home::built_in}));
-    CHECK(bench.refusal(AskInput{.input = 2}) == Verdict{Status::no_such_input, 2});
+    CHECK(bench.refusal(AskInput{.input = 2}) == StatusWithNumber{Status::no_such_input, 2});
     bench.device.inputs[1] = Time{77};
     const auto input = bench.ask<InputState>(AskInput{.input = 1});
     CHECK(input.input == 1);
@@ -249,27 +251,28 @@ TEST_CASE("the scene of the start is that of the chosen slot, or the built-in on
     const Scene scene = padded_scene(1000, 1);
     CHECK(bench.upload(LinkBench::begin_for_slot(3, "eyes", scene), scene, tag).is_ok());
     CHECK(bench.does(Play{.home = Home::start}));
-    CHECK(bench.device.programme.home == Home::built_in);
-    CHECK(bench.device.programme.slot == no_slot);
-    CHECK(bench.device.programme.clip == Name{"rise"});
+    CHECK(bench.device.selection.home == Home::built_in);
+    CHECK(bench.device.selection.slot == no_slot);
+    CHECK(bench.device.selection.clip == Name{"rise"});
 
     CHECK(bench.does(ChooseSlot{.slot = 3}));
     CHECK(bench.link.play_start().is_ok());
-    CHECK(bench.device.programme.home == Home::slot);
-    CHECK(bench.device.programme.slot == 3);
-    CHECK(bench.device.programme.clip == Name{"rise"});
+    CHECK(bench.device.selection.home == Home::slot);
+    CHECK(bench.device.selection.slot == 3);
+    CHECK(bench.device.selection.clip == Name{"rise"});
     bench.device.start_clip = {"fall"}; // which no scene has
     CHECK(bench.does(Play{.home = Home::start, .clip = {"rise"}}));
-    CHECK(bench.device.programme.clip == Name{"rise"});
+    CHECK(bench.device.selection.clip == Name{"rise"});
     CHECK(bench.does(Play{.home = Home::start}));
-    CHECK(bench.device.programme.clip == Name{});
-    CHECK(bench.refusal(Play{.home = Home::start, .clip = {"fall"}}) == Verdict{Status::no_such_clip});
+    CHECK(bench.device.selection.clip == Name{});
+    CHECK(bench.refusal(Play{.home = Home::start, .clip = {"fall"}}) ==
+          StatusWithNumber{Status::no_such_clip});
 
     bench.flash.damage(small_places.pool + bench.slots.entry(3).offset + 40);
     CHECK(bench.does(Play{.home = Home::start}));
-    CHECK(bench.device.programme.home == Home::built_in);
+    CHECK(bench.device.selection.home == Home::built_in);
     bench.device.built_in_scene[0] ^= std::byte{1};
-    CHECK(bench.refusal(Play{.home = Home::start}) == Verdict{Status::bad_magic});
+    CHECK(bench.refusal(Play{.home = Home::start}) == StatusWithNumber{Status::bad_magic});
     CHECK(bench.device.now.is_playing);
     bench.device.built_in_scene.assign(100, std::byte{0xFF});
     CHECK(bench.does(Play{.home = Home::start}));
@@ -304,7 +307,7 @@ TEST_CASE("reports that mean nothing are refused and counted")
     }
     std::vector<std::byte> long_one(65, std::byte{0});
     bench.link.take(long_one, bench.now);
-    CHECK(bench.last_failure() == Verdict{Status::bad_report});
+    CHECK(bench.last_failure() == StatusWithNumber{Status::bad_report});
     CHECK_FALSE(bench.device.now.is_paused);
     CHECK(bench.link_errors() == static_cast<std::uint32_t>(wrong + 1));
 }

@@ -54,8 +54,9 @@ public:
             return;
         if (const auto begun = link::message_of<link::Begun>(report); begun && step_ == Step::begin)
             go_on_from(begun->next, begun->window);
-        if (const auto told = link::message_of<link::Acknowledgement>(report); told && step_ == Step::data)
-            hear(*told);
+        if (const auto acknowledgement = link::message_of<link::Acknowledgement>(report);
+            acknowledgement && step_ == Step::data)
+            hear(*acknowledgement);
         if (link::message_of<link::Done<link::Kind::commit>>(report) && step_ == Step::commit)
             step_ = Step::done;
         if (const auto failure = link::message_of<link::Failure>(report))
@@ -98,13 +99,13 @@ private:
         step_ = heard_ == blocks() ? Step::commit : Step::data;
     }
 
-    void hear(const link::Acknowledgement& told)
+    void hear(const link::Acknowledgement& acknowledgement)
     {
-        if (told.is_missing || told.next == blocks())
-            return go_on_from(told.next, told.window);
-        if (told.next <= heard_ || told.next > next_) // of before, or damaged
+        if (acknowledgement.is_missing || acknowledgement.next == blocks())
+            return go_on_from(acknowledgement.next, acknowledgement.window);
+        if (acknowledgement.next <= heard_ || acknowledgement.next > next_) // of before, or damaged
             return;
-        heard_ = told.next;
+        heard_ = acknowledgement.next;
         next_ = std::max(next_, heard_);
         waited_ = 0;
     }

@@ -35,7 +35,7 @@ public:
     {
         return {.frames = 1000, .late = 3, .skipped = 2, .link_errors = 0, .coarse = 1};
     }
-    std::span<const std::byte> played() const { return programme.scene; }
+    std::span<const std::byte> played() const { return selection.scene; }
     std::span<const std::byte> built_in() const { return built_in_scene; }
 
     link::InputState input(std::uint8_t number) const
@@ -48,11 +48,11 @@ public:
                 .place = found == inputs.end() ? Time{} : found->second};
     }
 
-    Status play(const link::Programme& next, const SceneView& scene)
+    Status play(const link::SceneSelection& next, const SceneView& scene)
     {
         if (next.scene.size() > largest_that_plays)
             return Status::block_too_small;
-        programme = next;
+        selection = next;
         shown.assign(next.scene.begin(), next.scene.end());
         now = {};
         now.is_playing = true;
@@ -69,23 +69,23 @@ public:
         says_that_nothing_plays = true;
     }
     /// As long as asked for, so that a byte beyond is noticed.
-    std::span<std::byte> lend_ram(std::uint32_t size)
+    std::span<std::byte> lease_ram(std::uint32_t size)
     {
         if (puts_off > 0) {
             --puts_off;
             return {};
         }
-        if (programme.home == link::Home::ram)
+        if (selection.home == link::Home::ram)
             stop();
         ram.assign(size, std::byte{0});
         ram.shrink_to_fit();
-        return lent = ram;
+        return leased = ram;
     }
-    std::span<std::byte> lent_ram() const { return lent; }
-    void end_loan()
+    std::span<std::byte> leased_ram() const { return leased; }
+    void end_lease()
     {
-        lent = {};
-        ++loans_ended;
+        leased = {};
+        ++leases_ended;
     }
     bool is_idle() const { return is_left_alone; }
     void pause() { now.is_paused = true; }
@@ -108,7 +108,7 @@ public:
         texts[number] = text;
         return Status::ok;
     }
-    Status tell(const link::DrawingPart& part) { return link::tell(*player, part); }
+    Status deliver(const link::DrawingPart& part) { return link::deliver(*player, part); }
     Status enter_boot_loader(Microseconds)
     {
         is_in_boot_loader = true;
@@ -123,7 +123,7 @@ public:
     }
     void stop()
     {
-        programme = {};
+        selection = {};
         now = {};
     }
 
@@ -136,7 +136,7 @@ public:
 
     std::size_t largest_that_plays = 1'000'000;
     link::Playing now;
-    link::Programme programme;
+    link::SceneSelection selection;
     std::vector<std::byte> shown; ///< the scene as it was when it began to play
     std::vector<std::byte> ram;
     std::vector<std::byte> built_in_scene;
@@ -145,9 +145,9 @@ public:
     bool is_in_boot_loader = false;
     int computers_lost = 0;
     bool says_that_nothing_plays = false;
-    int puts_off = 0; ///< how often lend_ram() is to be called in vain
-    std::span<std::byte> lent;
-    int loans_ended = 0;
+    int puts_off = 0; ///< how often lease_ram() is to be called in vain
+    std::span<std::byte> leased;
+    int leases_ended = 0;
     bool is_left_alone = false;
 
 private:

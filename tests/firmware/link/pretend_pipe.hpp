@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/conversation.hpp"
+#include "firmware/link/link_service.hpp"
 
 #include <cstddef>
 #include <cstdint>

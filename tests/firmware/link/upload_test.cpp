@@ -19,14 +19,14 @@ struct Upload {
     Upload() { REQUIRE(bench.ask<Begun>(begin, tag) == Begun{.next = 0, .window = 64}); }
 
     void blocks(std::size_t first, std::size_t count) { bench.send_blocks(scene, tag, first, count); }
-    Acknowledgement told() { return bench.fetch<Acknowledgement>(tag); }
-    bool is_told() { return bench.link.has_report(); }
+    Acknowledgement acknowledgement() { return bench.fetch<Acknowledgement>(tag); }
+    bool has_acknowledgement() { return bench.link.has_report(); }
     bool is_committed()
     {
         bench.ask<Done<Kind::commit>>(Commit{}, tag);
         return bench.slots.entry(0).size == scene.size() && std::ranges::equal(bench.slots.scene(0), scene);
     }
-    Verdict commit_refused()
+    StatusWithNumber commit_refused()
     {
         const auto failure = bench.ask<Failure>(Commit{}, tag);
         return {failure.status, failure.number};
@@ -59,7 +59,7 @@ TEST_CASE("a scene that lies in RAM no more comes whole once more")
     bench.ask<Begun>(begin, tag);
     bench.send_blocks(scene, tag);
     bench.ask<Done<Kind::commit>>(Commit{}, tag);
-    bench.device.lent = {};
+    bench.device.leased = {};
     CHECK(bench.ask<Begun>(begin, tag) == Begun{.next = 0, .window = 64});
 }
 
@@ -69,16 +69,16 @@ TEST_CASE("memory that is needed for something else ends the upload into it")
     const Scene scene = padded_scene(2000, 1);
     bench.ask<Begun>(LinkBench::begin_for_ram(scene), tag);
     bench.send_blocks(scene, tag, 0, 5);
-    bench.device.lent = {};
+    bench.device.leased = {};
     bench.device.ram.clear();
     bench.device.ram.shrink_to_fit(); // a byte that is written nevertheless is noticed
     bench.send_blocks(scene, tag, 5);
     CHECK(bench.ask<Failure>(Commit{}, tag).status == Status::no_transfer);
-    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
 
     CHECK(bench.upload(LinkBench::begin_for_ram(scene), scene, tag).is_ok());
-    bench.device.lent = {};
-    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    bench.device.leased = {};
+    CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
 }
 
 TEST_CASE("the device hears when nothing will come into its memory")
@@ -88,7 +88,7 @@ TEST_CASE("the device hears when nothing will come into its memory")
         LinkBench bench;
         bench.ask<Begun>(LinkBench::begin_for_ram(scene), tag);
         end(bench);
-        return bench.device.loans_ended;
+        return bench.device.leases_ended;
     };
     CHECK(ended([](LinkBench&) {}) == 0);
     CHECK(ended([](LinkBench& bench) { bench.send(Cancel{}, tag); }) == 1);
@@ -106,14 +106,14 @@ TEST_CASE("the computer is told after every sixteen blocks, and at the end")
 {
     Upload upload;
     upload.blocks(0, 15);
-    CHECK_FALSE(upload.is_told());
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.blocks(15, 1);
-    CHECK(upload.told() == Acknowledgement{.next = 16, .window = 64});
-    CHECK_FALSE(upload.is_told());
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 16, .window = 64});
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.blocks(16, 16);
-    CHECK(upload.told() == Acknowledgement{.next = 32, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 32, .window = 64});
     upload.blocks(32, 18);
-    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 50, .window = 64});
     CHECK(upload.is_committed());
 }
 
@@ -121,8 +121,8 @@ TEST_CASE("who fetches nothing is told the newest, once")
 {
     Upload upload;
     upload.blocks(0, 50);
-    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
-    CHECK_FALSE(upload.is_told());
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 50, .window = 64});
+    CHECK_FALSE(upload.has_acknowledgement());
     CHECK(upload.is_committed());
 }
 
@@ -131,13 +131,13 @@ TEST_CASE("when a block is missing the computer is told at once, and now and the
     Upload upload;
     upload.blocks(0, 3);
     upload.blocks(4, 1);
-    CHECK(upload.told() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
     upload.blocks(5, 15);
-    CHECK_FALSE(upload.is_told());
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.blocks(20, 1);
-    CHECK(upload.told() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 3, .window = 64, .is_missing = true});
     upload.blocks(3, 47);
-    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 50, .window = 64});
     CHECK(upload.is_committed());
 }
 
@@ -146,11 +146,11 @@ TEST_CASE("blocks that come twice are ignored, and the computer is told where it
     Upload upload;
     upload.blocks(0, 5);
     upload.blocks(2, 1);
-    CHECK(upload.told() == Acknowledgement{.next = 5, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 5, .window = 64});
     upload.blocks(0, 50);
-    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 50, .window = 64});
     upload.blocks(49, 1);
-    CHECK(upload.told() == Acknowledgement{.next = 50, .window = 64});
+    CHECK(upload.acknowledgement() == Acknowledgement{.next = 50, .window = 64});
     CHECK(upload.is_committed());
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("blocks behind the end are ignored")
     upload.blocks(0, 50);
     for (const int block : {50, 51, 0x7FFF, 0xFFFF})
         upload.bench.send(Data{.block = static_cast<std::uint16_t>(block)}, tag);
-    CHECK(upload.told().next == 50);
+    CHECK(upload.acknowledgement().next == 50);
     CHECK(upload.is_committed());
 }
 
@@ -169,9 +169,9 @@ TEST_CASE("commit before the end says what is missing, and the upload goes on")
     Upload upload;
     upload.blocks(0, 49);
     upload.bench.last_failure();
-    CHECK(upload.commit_refused() == Verdict{Status::incomplete, 49});
+    CHECK(upload.commit_refused() == StatusWithNumber{Status::incomplete, 49});
     upload.blocks(49, 1);
-    upload.told();
+    upload.acknowledgement();
     CHECK(upload.is_committed());
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("commit asked again is answered again")
 {
     Upload upload;
     upload.blocks(0, 50);
-    upload.told();
+    upload.acknowledgement();
     CHECK(upload.is_committed());
     const int operations = upload.bench.flash.operations();
     CHECK(upload.is_committed());
@@ -189,7 +189,7 @@ TEST_CASE("commit asked again is answered again")
     CHECK(upload.bench.flash.operations() == operations);
     // But not when the slot holds it no more.
     CHECK(upload.bench.does(EraseSlot{.slot = 0}));
-    CHECK(upload.commit_refused() == Verdict{Status::no_transfer});
+    CHECK(upload.commit_refused() == StatusWithNumber{Status::no_transfer});
     CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 0, .window = 64});
 }
 
@@ -197,14 +197,14 @@ TEST_CASE("a beginning that comes twice changes nothing; another one replaces th
 {
     Upload upload;
     upload.blocks(0, 16);
-    upload.told();
+    upload.acknowledgement();
     CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 16, .window = 64});
     upload.blocks(18, 1); // what there would be to tell is nobody's concern any more
     const Scene other = padded_scene(700, 2);
     upload.bench.ask<Begun>(LinkBench::begin_for_slot(1, "other", other), 43);
-    CHECK_FALSE(upload.is_told());
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.blocks(16, 4);
-    CHECK(upload.bench.last_failure() == Verdict{Status::no_transfer});
+    CHECK(upload.bench.last_failure() == StatusWithNumber{Status::no_transfer});
     CHECK(upload.bench.upload(LinkBench::begin_for_slot(1, "other", other), other, 43).is_ok());
     CHECK(std::ranges::equal(upload.bench.slots.scene(1), other));
     CHECK(upload.bench.slots.entry(0).is_empty());
@@ -221,9 +221,9 @@ TEST_CASE("a block that was damaged on the way is found at the end, and the slot
             is_for_ram ? LinkBench::begin_for_ram(other) : LinkBench::begin_for_slot(0, "b", other);
         Scene damaged = other;
         damaged[1234] ^= std::byte{4};
-        CHECK(upload.bench.upload(begin, damaged, 43) == Verdict{Status::bad_checksum});
+        CHECK(upload.bench.upload(begin, damaged, 43) == StatusWithNumber{Status::bad_checksum});
         CHECK(state_of(Store{upload.bench.flash, small_places}) == before);
-        CHECK(upload.bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+        CHECK(upload.bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
     }
     CHECK(upload.bench.upload(LinkBench::begin_for_slot(0, "b", other), other, 43).is_ok());
 }
@@ -234,10 +234,10 @@ TEST_CASE("what is no scene is refused at the end")
     Scene none = padded_scene(3000, 2);
     none[3] = std::byte{99};
     const auto& bench_begin = LinkBench::begin_for_slot(2, "none", none);
-    CHECK(upload.bench.upload(bench_begin, none, 43) == Verdict{Status::unsupported_version});
+    CHECK(upload.bench.upload(bench_begin, none, 43) == StatusWithNumber{Status::unsupported_version});
     CHECK(upload.bench.upload(LinkBench::begin_for_ram(none), none, 44) ==
-          Verdict{Status::unsupported_version});
-    CHECK(upload.bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+          StatusWithNumber{Status::unsupported_version});
+    CHECK(upload.bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
     CHECK(upload.bench.slots.entry(2).is_empty());
 }
 
@@ -246,20 +246,20 @@ TEST_CASE("an upload of which nothing is heard is dropped, and can be begun agai
     Upload upload;
     upload.blocks(0, 10);
     upload.bench.wait(2999);
-    CHECK_FALSE(upload.is_told());
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.blocks(10, 1);
     upload.bench.wait(2999);
-    CHECK_FALSE(upload.is_told());
+    CHECK_FALSE(upload.has_acknowledgement());
     upload.bench.wait(1);
     const auto failure = upload.bench.fetch<Failure>(tag);
     CHECK(failure.status == Status::timed_out);
     CHECK(failure.request == 0x11);
     upload.blocks(11, 39);
-    CHECK_FALSE(upload.is_told());
-    CHECK(upload.commit_refused() == Verdict{Status::timed_out});
+    CHECK_FALSE(upload.has_acknowledgement());
+    CHECK(upload.commit_refused() == StatusWithNumber{Status::timed_out});
     CHECK(upload.bench.ask<Begun>(upload.begin, tag) == Begun{.next = 0, .window = 64});
     upload.blocks(0, 50);
-    upload.told();
+    upload.acknowledgement();
     CHECK(upload.is_committed());
 }
 
@@ -267,11 +267,11 @@ TEST_CASE("an upload that is cancelled leaves the slot as it was")
 {
     Upload upload;
     upload.blocks(0, 50);
-    upload.told();
+    upload.acknowledgement();
     upload.bench.ask<Done<Kind::cancel>>(Cancel{}, tag);
-    CHECK(upload.commit_refused() == Verdict{Status::no_transfer});
+    CHECK(upload.commit_refused() == StatusWithNumber{Status::no_transfer});
     CHECK(upload.bench.slots.entry(0).is_empty());
-    CHECK(upload.bench.refusal(Cancel{}) == Verdict{Status::no_transfer}); // of another tag
+    CHECK(upload.bench.refusal(Cancel{}) == StatusWithNumber{Status::no_transfer}); // of another tag
 }
 
 TEST_CASE("data without an upload are told once")

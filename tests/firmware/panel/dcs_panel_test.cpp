@@ -11,11 +11,11 @@
 
 namespace kfast::test {
 
-static_assert(PoweredPanel<DcsPanel<TellingBus>>);
-static_assert(LightedPanel<DcsPanel<TellingBus>>);
-static_assert(PoweredPanel<DcsPanel<TellingWordBus>>);
-static_assert(DcsPanel<TellingBus>::format == PixelFormat::rgb565_be);
-static_assert(DcsPanel<TellingWordBus>::format == PixelFormat::rgb565);
+static_assert(PoweredPanel<DcsPanel<RecordingBus>>);
+static_assert(LightedPanel<DcsPanel<RecordingBus>>);
+static_assert(PoweredPanel<DcsPanel<RecordingWordBus>>);
+static_assert(DcsPanel<RecordingBus>::format == PixelFormat::rgb565_be);
+static_assert(DcsPanel<RecordingWordBus>::format == PixelFormat::rgb565);
 
 namespace {
 
@@ -28,7 +28,7 @@ constexpr DcsController not_dimming{.memory = {240, 320}, .start_up = brief_star
 
 Lines begun(const PanelSettings& settings, const DcsController& controller = not_dimming)
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel{bus, settings, controller}.begin(bus.pause());
     return bus.lines;
 }
@@ -36,7 +36,7 @@ Lines begun(const PanelSettings& settings, const DcsController& controller = not
 /// The commands that open the window.
 Lines window(const PanelSettings& settings, Rect area)
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsController controller = not_dimming;
     controller.memory = facts_of(settings.controller).memory;
     DcsPanel{bus, settings, controller}.start(area, {});
@@ -143,7 +143,7 @@ TEST_CASE("MIPI DCS: the memory is that of the controller which the settings nam
 
 TEST_CASE("MIPI DCS: the picture of a glass that is turned by a quarter lies across it")
 {
-    TellingBus bus;
+    RecordingBus bus;
     CHECK(DcsPanel{bus, {.glass = {135, 240}, .rotation = Rotation::quarter}, dimming}.size() ==
           Size{240, 135});
     CHECK(DcsPanel{bus, {.glass = {135, 240}, .rotation = Rotation::half}, dimming}.size() == Size{135, 240});
@@ -152,10 +152,10 @@ TEST_CASE("MIPI DCS: the picture of a glass that is turned by a quarter lies acr
 TEST_CASE("MIPI DCS: pixels go as words if the bus has any, as bytes otherwise")
 {
     const auto pixels = bytes({0x12, 0x34, 0x56, 0x78});
-    TellingBus byte_bus;
+    RecordingBus byte_bus;
     DcsPanel{byte_bus, {}, dimming}.start({0, 0, 2, 1}, pixels);
     CHECK(byte_bus.lines.back() == "pixels 12 34 56 78");
-    TellingWordBus word_bus;
+    RecordingWordBus word_bus;
     DcsPanel{word_bus, {}, dimming}.start({0, 0, 2, 1}, pixels);
     CHECK(word_bus.lines.back() == "words 12 34 56 78");
     CHECK(word_bus.lines.size() == 4);
@@ -163,7 +163,7 @@ TEST_CASE("MIPI DCS: pixels go as words if the bus has any, as bytes otherwise")
 
 TEST_CASE("MIPI DCS: sleep is dark first and lets the voltages settle; waking does, too, and stays dark")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel panel{bus, {}, dimming};
     panel.sleep(bus.pause());
     CHECK(bus.lines == Lines{"command 28", "command 10", "pause 120000"});
@@ -177,7 +177,7 @@ TEST_CASE("MIPI DCS: sleep is dark first and lets the voltages settle; waking do
 
 TEST_CASE("MIPI DCS: brightness is sent to controllers that dim, to others nothing")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel{bus, {}, dimming}.set_brightness(200);
     CHECK(bus.lines == Lines{"command 51 | C8"});
     bus.lines.clear();
@@ -187,7 +187,7 @@ TEST_CASE("MIPI DCS: brightness is sent to controllers that dim, to others nothi
 
 TEST_CASE("MIPI DCS: the panel is busy as long as the bus is")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel panel{bus, {}, dimming};
     CHECK_FALSE(panel.busy());
     bus.is_busy = true;

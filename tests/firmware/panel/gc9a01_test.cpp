@@ -11,7 +11,7 @@ namespace kfast::test {
 
 TEST_CASE("GC9A01: the start-up of the usual glass, byte by byte")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel{bus, facts_of(Controller::gc9a01).default_value, gc9a01}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
                            "pause 120000",

@@ -11,7 +11,7 @@ namespace kfast::test {
 
 TEST_CASE("ILI9341: the start-up of the usual glass, byte by byte")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel{bus, facts_of(Controller::ili9341).default_value, ili9341}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
                            "pause 120000",

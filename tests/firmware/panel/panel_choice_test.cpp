@@ -25,7 +25,7 @@ struct Used {
 
 Used used(const PanelSettings& settings)
 {
-    TellingBus bus;
+    RecordingBus bus;
     Used result;
     with_panel(bus, settings, [&](auto& panel) {
         using Driver = std::remove_reference_t<decltype(panel)>;
@@ -35,14 +35,14 @@ Used used(const PanelSettings& settings)
         result.size = panel.size();
         result.format = Driver::format;
         result.window_bytes = Driver::window_bytes;
-        result.follows_dcs = std::is_same_v<Driver, DcsPanel<TellingBus>>;
+        result.follows_dcs = std::is_same_v<Driver, DcsPanel<RecordingBus>>;
         ++result.times;
     });
     return result;
 }
 
 /// Whether the controller's start-up has this line, which no other's has.
-bool tells(Controller controller, std::string_view line)
+bool sends_alone(Controller controller, std::string_view line)
 {
     bool found = false;
     for (const ControllerFacts& facts : controller_facts) {
@@ -59,13 +59,13 @@ bool tells(Controller controller, std::string_view line)
 
 TEST_CASE("every controller is driven by its own start-up")
 {
-    CHECK(tells(Controller::st7789, "command D0 | A4 A1"));
-    CHECK(tells(Controller::ili9341, "command EF | 03 80 02"));
-    CHECK(tells(Controller::st7735, "command B4 | 07"));
-    CHECK(tells(Controller::gc9a01, "command EB | 14"));
-    CHECK(tells(Controller::ssd1306, "command 8D 14"));
-    CHECK(tells(Controller::ssd1351, "command FD | 12"));
-    CHECK(tells(Controller::ssd0323, "command A0 52"));
+    CHECK(sends_alone(Controller::st7789, "command D0 | A4 A1"));
+    CHECK(sends_alone(Controller::ili9341, "command EF | 03 80 02"));
+    CHECK(sends_alone(Controller::st7735, "command B4 | 07"));
+    CHECK(sends_alone(Controller::gc9a01, "command EB | 14"));
+    CHECK(sends_alone(Controller::ssd1306, "command 8D 14"));
+    CHECK(sends_alone(Controller::ssd1351, "command FD | 12"));
+    CHECK(sends_alone(Controller::ssd0323, "command A0 52"));
 }
 
 TEST_CASE("every driver is used once, and is what is known of its controller")

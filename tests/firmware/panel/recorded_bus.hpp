@@ -40,7 +40,7 @@ public:
 ///     command 2A | 00 00 00 EF              those after | with D/C high
 ///     pixels 12 34
 ///     pause 120000                          microseconds
-class TellingBus {
+class RecordingBus {
 public:
     void command(std::span<const std::byte> bytes) { lines.push_back("command" + hex(bytes)); }
     void parameters(std::span<const std::byte> bytes) { lines.back() += " |" + hex(bytes); }
@@ -70,7 +70,7 @@ protected:
 };
 
 /// Likewise, with words: `words 34 12`, the bytes as they lie in memory.
-class TellingWordBus : public TellingBus {
+class RecordingWordBus : public RecordingBus {
 public:
     void start_words(std::span<const std::byte> words) { lines.push_back("words" + hex(words)); }
 };

@@ -78,7 +78,7 @@ TEST_CASE("SSD0323: the settings in the start-up")
     settings.brightness = 128;
     settings.glass = {128, 56};
     settings.row = 3;
-    TellingBus bus;
+    RecordingBus bus;
     Ssd0323{bus, settings}.begin(bus.pause());
     CHECK(bus.lines[3] == "command A8 3A");
     CHECK(bus.lines[4] == "command A2 03");
@@ -90,7 +90,7 @@ TEST_CASE("SSD0323: the settings in the start-up")
 TEST_CASE("SSD0323: the output of the uppermost row is found by the height of an upright glass")
 {
     const auto offset = [](int height) {
-        TellingBus bus;
+        RecordingBus bus;
         Ssd0323{bus, {.controller = Controller::ssd0323, .glass = {128, height}}}.begin(bus.pause());
         return bus.lines[4];
     };
@@ -103,7 +103,7 @@ TEST_CASE("SSD0323: a glass beside the middle is counted from the other side whe
 {
     PanelSettings settings{.controller = Controller::ssd0323, .glass = {96, 64}, .column = 20, .row = 8};
     const auto window = [&settings] {
-        TellingBus bus;
+        RecordingBus bus;
         Ssd0323{bus, settings}.start({0, 0, 96, 64}, {});
         return bus.lines;
     };
@@ -114,7 +114,7 @@ TEST_CASE("SSD0323: a glass beside the middle is counted from the other side whe
 
 TEST_CASE("SSD0323: brightness and sleep; waking leaves it dark")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd0323 panel{bus, default_value};
     panel.set_brightness(255);
     panel.set_brightness(0);

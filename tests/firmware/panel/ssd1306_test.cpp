@@ -11,8 +11,8 @@
 
 namespace kfast::test {
 
-static_assert(PoweredPanel<Ssd1306<TellingBus>>);
-static_assert(LightedPanel<Ssd1306<TellingBus>>);
+static_assert(PoweredPanel<Ssd1306<RecordingBus>>);
+static_assert(LightedPanel<Ssd1306<RecordingBus>>);
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr PanelSettings default_value = facts_of(Controller::ssd1306).default_va
 
 Lines begun(const PanelSettings& settings)
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306{bus, settings}.begin(bus.pause());
     return bus.lines;
 }
@@ -38,7 +38,7 @@ Lines difference(const PanelSettings& settings)
 
 Lines window(const PanelSettings& settings, Rect area)
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306{bus, settings}.start(area, {});
     return bus.lines;
 }
@@ -99,7 +99,7 @@ TEST_CASE("SSD1306: a glass beside the middle is counted from the other side whe
 
 TEST_CASE("SSD1306: rows of pixels are sent as pages, from memory of the panel's own")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306 panel{bus, default_value};
     // A staircase down to the right, and beside it a row on the floor.
     panel.start({8, 8, 16, 8},
@@ -113,7 +113,7 @@ TEST_CASE("SSD1306: rows of pixels are sent as pages, from memory of the panel's
 
 TEST_CASE("SSD1306: the whole picture is a kilobyte, page by page")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306 panel{bus, default_value};
     std::vector<std::byte> rows(1024);
     std::fill_n(rows.begin() + 63 * 16, 16, std::byte{0xFF}); // the lowest row
@@ -126,14 +126,14 @@ TEST_CASE("SSD1306: the whole picture is a kilobyte, page by page")
 
 TEST_CASE("SSD1306: it stays dark until it is lit")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306{bus, default_value}.light();
     CHECK(bus.lines == Lines{"command AF"});
 }
 
 TEST_CASE("SSD1306: asleep the charge pump stands still as well")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1306 panel{bus, default_value};
     panel.set_brightness(7);
     panel.sleep(bus.pause());

@@ -10,10 +10,10 @@
 
 namespace kfast::test {
 
-static_assert(PoweredPanel<Ssd1351<TellingBus>>);
-static_assert(LightedPanel<Ssd1351<TellingBus>>);
-static_assert(Ssd1351<TellingBus>::format == PixelFormat::rgb565_be);
-static_assert(Ssd1351<TellingWordBus>::format == PixelFormat::rgb565);
+static_assert(PoweredPanel<Ssd1351<RecordingBus>>);
+static_assert(LightedPanel<Ssd1351<RecordingBus>>);
+static_assert(Ssd1351<RecordingBus>::format == PixelFormat::rgb565_be);
+static_assert(Ssd1351<RecordingWordBus>::format == PixelFormat::rgb565);
 
 namespace {
 
@@ -26,7 +26,7 @@ std::string remap(Rotation rotation, bool bgr)
     PanelSettings settings = default_value;
     settings.rotation = rotation;
     settings.bgr = bgr;
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
     return bus.lines[15];
 }
@@ -36,7 +36,7 @@ Lines window(Rotation rotation, int row)
 {
     const PanelSettings settings{
         .controller = Controller::ssd1351, .glass = {128, 96}, .row = row, .rotation = rotation};
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351{bus, settings}.start({16, 8, 4, 2}, {});
     CHECK(bus.lines.back() == "pixels");
     bus.lines.pop_back();
@@ -47,7 +47,7 @@ Lines window(Rotation rotation, int row)
 
 TEST_CASE("SSD1351: the start-up of the usual glass, byte by byte, arguments with D/C high")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351{bus, default_value}.begin(bus.pause());
     CHECK(bus.lines == Lines{
                            "pause 10000",
@@ -85,7 +85,7 @@ TEST_CASE("SSD1351: an inverted glass is inverted again")
 {
     PanelSettings settings = default_value;
     settings.inverted = true;
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351{bus, settings}.begin(bus.pause());
     CHECK(bus.lines[16] == "command A7");
 }
@@ -95,7 +95,7 @@ TEST_CASE("SSD1351: rows below the glass are not scanned")
     PanelSettings settings = default_value;
     settings.glass = {128, 96};
     const auto rows = [&settings] {
-        TellingBus bus;
+        RecordingBus bus;
         Ssd1351{bus, settings}.begin(bus.pause());
         return bus.lines[14];
     };
@@ -119,7 +119,7 @@ TEST_CASE("SSD1351: columns and rows of a window are those of the glass, also if
 
 TEST_CASE("SSD1351: the window is sent again even if it is the same")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351 panel{bus, default_value};
     panel.start({0, 0, 128, 128}, {});
     panel.start({0, 0, 128, 128}, {});
@@ -132,17 +132,17 @@ TEST_CASE("SSD1351: the window is sent again even if it is the same")
 TEST_CASE("SSD1351: pixels go as words if the bus has any, as bytes otherwise")
 {
     const auto pixels = bytes({0x12, 0x34});
-    TellingBus byte_bus;
+    RecordingBus byte_bus;
     Ssd1351{byte_bus, default_value}.start({0, 0, 1, 1}, pixels);
     CHECK(byte_bus.lines.back() == "pixels 12 34");
-    TellingWordBus word_bus;
+    RecordingWordBus word_bus;
     Ssd1351{word_bus, default_value}.start({0, 0, 1, 1}, pixels);
     CHECK(word_bus.lines.back() == "words 12 34");
 }
 
 TEST_CASE("SSD1351: brightness keeps white white; sleep is the display off, and waking leaves it off")
 {
-    TellingBus bus;
+    RecordingBus bus;
     Ssd1351 panel{bus, default_value};
     panel.set_brightness(128);
     panel.set_brightness(0);

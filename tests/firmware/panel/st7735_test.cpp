@@ -11,7 +11,7 @@ namespace kfast::test {
 
 TEST_CASE("ST7735: the start-up of the usual glass, byte by byte")
 {
-    TellingBus bus;
+    RecordingBus bus;
     DcsPanel{bus, facts_of(Controller::st7735).default_value, st7735}.begin(bus.pause());
     CHECK(bus.lines == std::vector<std::string>{
                            "pause 120000",

@@ -25,7 +25,7 @@ constexpr std::array table{
 
 TEST_CASE("a start-up table is sent row by row, commands with their arguments, and waits where it says so")
 {
-    TellingBus bus;
+    RecordingBus bus;
     auto pause = bus.pause();
     send_start_up<Arguments::with_command>(bus, table, pause);
 
@@ -40,7 +40,7 @@ TEST_CASE("a start-up table is sent row by row, commands with their arguments, a
 
 TEST_CASE("arguments go with D/C high to a controller that wants them so, none where there are none")
 {
-    TellingBus bus;
+    RecordingBus bus;
     auto pause = bus.pause();
     send_start_up<Arguments::as_parameters>(bus, table, pause);
 
@@ -55,7 +55,7 @@ TEST_CASE("arguments go with D/C high to a controller that wants them so, none w
 
 TEST_CASE("of the arguments of a single command the low bytes are sent")
 {
-    TellingBus bus;
+    RecordingBus bus;
     send_command<Arguments::as_parameters>(bus, 0x2A, 319 >> 8, 319);
     send_command<Arguments::with_command>(bus, 0x81, std::uint8_t{0xCF});
     send_command<Arguments::with_command>(bus, 0xAE);

@@ -14,9 +14,12 @@ namespace {
 constexpr Microseconds frame{33'333};
 
 /// A scene of 60 frames with clips, and what is touched while it plays, frame by frame.
-class Gadget {
+class ControlsBench {
 public:
-    explicit Gadget(BoardSettings settings) : controls_{settings, scene()}, playhead_{controls_.playhead()} {}
+    explicit ControlsBench(BoardSettings settings)
+        : controls_{settings, scene()}, playhead_{controls_.playhead()}
+    {
+    }
 
     int frame_shown() const { return playhead_.moment().ticks / Time::ticks_per_frame; }
     const Controls& controls() const { return controls_; }
@@ -83,152 +86,152 @@ constexpr Control open_button{ControlKind::button, ControlAction::input, 5, {"op
 TEST_CASE(
     "the whole scene is played, or the clip of the settings; one that the scene lacks is the whole scene")
 {
-    CHECK(Gadget{{}}.frame_shown() == 0);
+    CHECK(ControlsBench{{}}.frame_shown() == 0);
     BoardSettings settings;
     settings.clip = {"idle"};
-    CHECK(Gadget{settings}.frame_shown() == 40);
+    CHECK(ControlsBench{settings}.frame_shown() == 40);
     settings.clip = {"gone"};
-    CHECK(Gadget{settings}.frame_shown() == 0);
+    CHECK(ControlsBench{settings}.frame_shown() == 0);
 }
 
 TEST_CASE("a button plays its clip once, then what was played before goes on where it was")
 {
-    Gadget gadget{settings_with({wink})};
-    gadget.run(5);
-    gadget.click(1);
-    CHECK(gadget.frame_shown() == 10);
-    gadget.run(3);
-    CHECK(gadget.frame_shown() == 13);
-    gadget.run(2);
-    CHECK(gadget.frame_shown() == 5);
-    gadget.run(1);
-    CHECK(gadget.frame_shown() == 6);
+    ControlsBench bench{settings_with({wink})};
+    bench.run(5);
+    bench.click(1);
+    CHECK(bench.frame_shown() == 10);
+    bench.run(3);
+    CHECK(bench.frame_shown() == 13);
+    bench.run(2);
+    CHECK(bench.frame_shown() == 5);
+    bench.run(1);
+    CHECK(bench.frame_shown() == 6);
 }
 
 TEST_CASE("a clip starts anew when its button is pressed again, and another button's clip takes its place")
 {
-    Gadget gadget{settings_with({wink, spin})};
-    gadget.run(5);
-    gadget.click(1);
-    gadget.run(2);
-    gadget.click(1);
-    CHECK(gadget.frame_shown() == 10);
-    gadget.click(2);
-    CHECK(gadget.frame_shown() == 20);
-    gadget.click(2);
-    CHECK(gadget.frame_shown() == 5);
+    ControlsBench bench{settings_with({wink, spin})};
+    bench.run(5);
+    bench.click(1);
+    bench.run(2);
+    bench.click(1);
+    CHECK(bench.frame_shown() == 10);
+    bench.click(2);
+    CHECK(bench.frame_shown() == 20);
+    bench.click(2);
+    CHECK(bench.frame_shown() == 5);
 }
 
 TEST_CASE("a clip that repeats is played until its button is pressed again")
 {
-    Gadget gadget{settings_with({spin})};
-    gadget.run(5);
-    gadget.click(2);
-    gadget.run(35);
-    CHECK(gadget.frame_shown() == 25);
-    gadget.click(2);
-    CHECK(gadget.frame_shown() == 5);
+    ControlsBench bench{settings_with({spin})};
+    bench.run(5);
+    bench.click(2);
+    bench.run(35);
+    CHECK(bench.frame_shown() == 25);
+    bench.click(2);
+    CHECK(bench.frame_shown() == 5);
 }
 
 TEST_CASE("a button that is held counts once")
 {
-    Gadget gadget{settings_with({pause_button})};
-    gadget.pins.closed[3] = true;
-    gadget.run(10);
-    CHECK(gadget.frame_shown() == 1); // the frame that had passed before it was pressed
+    ControlsBench bench{settings_with({pause_button})};
+    bench.pins.closed[3] = true;
+    bench.run(10);
+    CHECK(bench.frame_shown() == 1); // the frame that had passed before it was pressed
 }
 
 TEST_CASE("pausing stands still and goes on; a clip's button ends it")
 {
-    Gadget gadget{settings_with({wink, pause_button})};
-    gadget.run(5);
-    gadget.click(3);
-    gadget.run(10);
-    CHECK(gadget.frame_shown() == 5);
-    gadget.click(3);
-    gadget.run(2);
-    CHECK(gadget.frame_shown() == 7);
-    gadget.click(3);
-    gadget.click(1);
-    gadget.run(6);
-    CHECK(gadget.frame_shown() == 8);
+    ControlsBench bench{settings_with({wink, pause_button})};
+    bench.run(5);
+    bench.click(3);
+    bench.run(10);
+    CHECK(bench.frame_shown() == 5);
+    bench.click(3);
+    bench.run(2);
+    CHECK(bench.frame_shown() == 7);
+    bench.click(3);
+    bench.click(1);
+    bench.run(6);
+    CHECK(bench.frame_shown() == 8);
 }
 
 TEST_CASE("the sleep button asks for rest, and ends it")
 {
-    Gadget gadget{settings_with({sleep_button})};
-    CHECK_FALSE(gadget.controls().wants_rest());
-    gadget.click(4);
-    CHECK(gadget.controls().wants_rest());
-    gadget.click(4);
-    CHECK_FALSE(gadget.controls().wants_rest());
+    ControlsBench bench{settings_with({sleep_button})};
+    CHECK_FALSE(bench.controls().wants_rest());
+    bench.click(4);
+    CHECK(bench.controls().wants_rest());
+    bench.click(4);
+    CHECK_FALSE(bench.controls().wants_rest());
 }
 
 TEST_CASE("a knob sets the speed: backwards, still around the middle, twice as fast")
 {
-    Gadget gadget{settings_with({speed_knob})};
-    gadget.pins.levels[26] = Controls::full_level;
-    gadget.steer();
-    gadget.run(10);
-    CHECK(gadget.frame_shown() == 19); // a little less than twice: 2047 of 2048 steps
-    gadget.pins.levels[26] = 2048 + 40;
-    gadget.run(1);
-    const int stood = gadget.frame_shown();
-    gadget.run(10);
-    CHECK(gadget.frame_shown() == stood);
-    gadget.pins.levels[26] = 1024;
-    gadget.steer();
-    gadget.run(10);
-    CHECK(gadget.frame_shown() == stood - 10);
+    ControlsBench bench{settings_with({speed_knob})};
+    bench.pins.levels[26] = Controls::full_level;
+    bench.steer();
+    bench.run(10);
+    CHECK(bench.frame_shown() == 19); // a little less than twice: 2047 of 2048 steps
+    bench.pins.levels[26] = 2048 + 40;
+    bench.run(1);
+    const int stood = bench.frame_shown();
+    bench.run(10);
+    CHECK(bench.frame_shown() == stood);
+    bench.pins.levels[26] = 1024;
+    bench.steer();
+    bench.run(10);
+    CHECK(bench.frame_shown() == stood - 10);
 }
 
 TEST_CASE("a knob says where in its clip playing stands, from its beginning to its end")
 {
-    Gadget gadget{settings_with({place_knob})};
-    gadget.steer();
-    CHECK(gadget.frame_shown() == 40);
-    gadget.run(5);
-    CHECK(gadget.frame_shown() == 40);
-    gadget.pins.levels[27] = 2048;
-    gadget.steer();
-    CHECK(gadget.frame_shown() == 45);
-    gadget.pins.levels[27] = 4094;
-    gadget.steer();
-    CHECK(gadget.frame_shown() == 49);
-    gadget.pins.levels[27] = Controls::full_level;
-    gadget.steer();
-    CHECK(gadget.frame_shown() == 50);
+    ControlsBench bench{settings_with({place_knob})};
+    bench.steer();
+    CHECK(bench.frame_shown() == 40);
+    bench.run(5);
+    CHECK(bench.frame_shown() == 40);
+    bench.pins.levels[27] = 2048;
+    bench.steer();
+    CHECK(bench.frame_shown() == 45);
+    bench.pins.levels[27] = 4094;
+    bench.steer();
+    CHECK(bench.frame_shown() == 49);
+    bench.pins.levels[27] = Controls::full_level;
+    bench.steer();
+    CHECK(bench.frame_shown() == 50);
 }
 
 TEST_CASE("a knob that trembles does nothing, but its ends are reached")
 {
-    Gadget gadget{settings_with({light_knob})};
-    gadget.pins.levels[28] = 1600;
-    gadget.steer();
-    CHECK(gadget.controls().brightness() == 100);
-    gadget.pins.levels[28] = 1600 + Controls::tremble - 1;
-    gadget.steer();
-    CHECK(gadget.controls().brightness() == 100);
-    gadget.pins.levels[28] = 1600 + Controls::tremble;
-    gadget.steer();
-    CHECK(gadget.controls().brightness() == 101);
-    gadget.pins.levels[28] = 4090;
-    gadget.steer();
-    gadget.pins.levels[28] = Controls::full_level;
-    gadget.steer();
-    CHECK(gadget.controls().brightness() == 255);
+    ControlsBench bench{settings_with({light_knob})};
+    bench.pins.levels[28] = 1600;
+    bench.steer();
+    CHECK(bench.controls().brightness() == 100);
+    bench.pins.levels[28] = 1600 + Controls::tremble - 1;
+    bench.steer();
+    CHECK(bench.controls().brightness() == 100);
+    bench.pins.levels[28] = 1600 + Controls::tremble;
+    bench.steer();
+    CHECK(bench.controls().brightness() == 101);
+    bench.pins.levels[28] = 4090;
+    bench.steer();
+    bench.pins.levels[28] = Controls::full_level;
+    bench.steer();
+    CHECK(bench.controls().brightness() == 255);
 }
 
 TEST_CASE("a knob puts its input where it is turned, from the least to the greatest value")
 {
-    Gadget gadget{settings_with({gaze_knob})};
-    CHECK(gadget.place_of("gaze") == -1); // not before it was read
-    gadget.steer();
-    CHECK(gadget.place_of("gaze") == 0);
+    ControlsBench bench{settings_with({gaze_knob})};
+    CHECK(bench.place_of("gaze") == -1); // not before it was read
+    bench.steer();
+    CHECK(bench.place_of("gaze") == 0);
     const auto turned = [&](int level) {
-        gadget.pins.levels[26] = level;
-        gadget.steer();
-        return gadget.place_of("gaze");
+        bench.pins.levels[26] = level;
+        bench.steer();
+        return bench.place_of("gaze");
     };
     CHECK(turned(Controls::full_level) == 65536);
     CHECK(turned(819) == 13107);  // a fifth: 13107.2
@@ -236,72 +239,72 @@ TEST_CASE("a knob puts its input where it is turned, from the least to the great
     CHECK(turned(2048 + Controls::tremble - 1) == 32776);
     CHECK(turned(3000) == 48012); // 48011.7
     CHECK(turned(0) == 0);
-    CHECK(gadget.place_of("open") == -1);
-    CHECK(gadget.frame_shown() == 0); // the time goes on by itself
+    CHECK(bench.place_of("open") == -1);
+    CHECK(bench.frame_shown() == 0); // the time goes on by itself
 }
 
 TEST_CASE("a button's input is at its greatest value while it is pressed, else at its least")
 {
-    Gadget gadget{settings_with({open_button})};
-    CHECK(gadget.place_of("open") == 0); // whatever is usual
-    gadget.run(3);
-    CHECK(gadget.place_of("open") == 0);
-    gadget.pins.closed[5] = true;
+    ControlsBench bench{settings_with({open_button})};
+    CHECK(bench.place_of("open") == 0); // whatever is usual
+    bench.run(3);
+    CHECK(bench.place_of("open") == 0);
+    bench.pins.closed[5] = true;
     for (int i = 0; i < 10; ++i) {
-        gadget.run(1);
-        CHECK(gadget.place_of("open") == 65536);
+        bench.run(1);
+        CHECK(bench.place_of("open") == 65536);
     }
-    gadget.pins.closed[5] = false;
-    gadget.run(2);
-    CHECK(gadget.place_of("open") == 0);
-    CHECK(gadget.frame_shown() == 15);
-    CHECK(gadget.place_of("gaze") == -1);
+    bench.pins.closed[5] = false;
+    bench.run(2);
+    CHECK(bench.place_of("open") == 0);
+    CHECK(bench.frame_shown() == 15);
+    CHECK(bench.place_of("gaze") == -1);
 }
 
 TEST_CASE("of two controls for one input the one that moved last has it")
 {
-    Gadget gadget{settings_with({open_button, open_knob, gaze_knob})};
-    gadget.pins.levels[27] = 819;
-    gadget.steer();
-    CHECK(gadget.place_of("open") == 13107);
-    gadget.pins.closed[5] = true;
-    gadget.steer();
-    CHECK(gadget.place_of("open") == 65536);
-    gadget.pins.levels[27] = 2 * 819;
-    gadget.steer();
-    CHECK(gadget.place_of("open") == 26214);
-    gadget.pins.closed[5] = false;
-    gadget.steer();
-    CHECK(gadget.place_of("open") == 0);
-    CHECK(gadget.controls().inputs().size() == 2);
+    ControlsBench bench{settings_with({open_button, open_knob, gaze_knob})};
+    bench.pins.levels[27] = 819;
+    bench.steer();
+    CHECK(bench.place_of("open") == 13107);
+    bench.pins.closed[5] = true;
+    bench.steer();
+    CHECK(bench.place_of("open") == 65536);
+    bench.pins.levels[27] = 2 * 819;
+    bench.steer();
+    CHECK(bench.place_of("open") == 26214);
+    bench.pins.closed[5] = false;
+    bench.steer();
+    CHECK(bench.place_of("open") == 0);
+    CHECK(bench.controls().inputs().size() == 2);
 }
 
 TEST_CASE("an input that the scene lacks is nowhere, and the other controls do what they do")
 {
-    Gadget gadget{settings_with({{ControlKind::knob, ControlAction::input, 28, {"gone"}},
-                                 {ControlKind::button, ControlAction::input, 6, {"blink"}},
-                                 gaze_knob})};
-    gadget.pins.closed[6] = true;
-    gadget.pins.levels[28] = 3000;
-    gadget.pins.levels[26] = Controls::full_level;
-    gadget.steer();
-    CHECK(gadget.controls().inputs().size() == 1);
-    CHECK(gadget.place_of("gaze") == 65536);
+    ControlsBench bench{settings_with({{ControlKind::knob, ControlAction::input, 28, {"gone"}},
+                                       {ControlKind::button, ControlAction::input, 6, {"blink"}},
+                                       gaze_knob})};
+    bench.pins.closed[6] = true;
+    bench.pins.levels[28] = 3000;
+    bench.pins.levels[26] = Controls::full_level;
+    bench.steer();
+    CHECK(bench.controls().inputs().size() == 1);
+    CHECK(bench.place_of("gaze") == 65536);
 }
 
 TEST_CASE("a button's clip goes before a knob's place, which is taken up when it has finished")
 {
-    Gadget gadget{settings_with({wink, place_knob})};
-    gadget.steer();
-    gadget.click(1);
-    CHECK(gadget.frame_shown() == 10);
-    gadget.pins.levels[27] = 2048;
-    gadget.run(2);
-    CHECK(gadget.frame_shown() == 12);
-    gadget.run(3);
-    CHECK(gadget.frame_shown() == 45);
-    gadget.run(3);
-    CHECK(gadget.frame_shown() == 45);
+    ControlsBench bench{settings_with({wink, place_knob})};
+    bench.steer();
+    bench.click(1);
+    CHECK(bench.frame_shown() == 10);
+    bench.pins.levels[27] = 2048;
+    bench.run(2);
+    CHECK(bench.frame_shown() == 12);
+    bench.run(3);
+    CHECK(bench.frame_shown() == 45);
+    bench.run(3);
+    CHECK(bench.frame_shown() == 45);
 }
 
 }

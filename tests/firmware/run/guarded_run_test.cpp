@@ -113,7 +113,7 @@ public:
     {
         return block_.guards_hold() && bands_[0].guards_hold() && bands_[1].guards_hold();
     }
-    const Guarded& lent_block() const { return block_; }
+    const Guarded& guarded_block() const { return block_; }
 
     std::size_t frames = 5;
     std::size_t shown = 0;
@@ -209,7 +209,7 @@ TEST_CASE("a scene that lacks a byte of memory is refused before a byte is writt
         run(board);
         CHECK(board.refused == Error::block_too_small);
         CHECK(board.shown == 0);
-        CHECK(board.lent_block().is_untouched());
+        CHECK(board.guarded_block().is_untouched());
         CHECK(board.guards_hold());
     }
 }

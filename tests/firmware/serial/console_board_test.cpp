@@ -59,7 +59,7 @@ public:
     std::span<const std::byte> scene_bytes() const { return scene_; }
     std::span<std::byte> block() { return block_; }
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
-    void scene_started(const SceneView& scene) { tell_scene(scene_bytes().first(scene.size())); }
+    void scene_started(const SceneView& scene) { report_scene(scene_bytes().first(scene.size())); }
 
 private:
     std::vector<std::byte> scene_;
@@ -80,30 +80,30 @@ std::vector<std::byte> scene()
 }
 
 /// Runs the board for as long as it wants to, and returns the lines that it has told.
-std::vector<std::string> told_by(TestBoard& board, RecordedConsole& console)
+std::vector<std::string> lines_by(TestBoard& board, RecordedConsole& console)
 {
     while (board.wants_to_run())
         run(board);
-    std::istringstream text{console.told};
+    std::istringstream text{console.written};
     std::vector<std::string> lines;
     for (std::string line; std::getline(text, line);)
         lines.push_back(line);
     return lines;
 }
 
-std::vector<std::string> told_of(std::vector<std::byte> bytes, std::string typed)
+std::vector<std::string> lines_of(std::vector<std::byte> bytes, std::string typed)
 {
     RecordedConsole console;
     console.typed = std::move(typed);
     TestBoard board{console, std::move(bytes)};
-    return told_by(board, console);
+    return lines_by(board, console);
 }
 
 std::string hex(std::uint32_t number)
 {
     RecordedConsole console;
     write_hex(console, number);
-    return console.told;
+    return console.written;
 }
 
 std::string checksum(std::span<const std::byte> bytes)
@@ -134,7 +134,7 @@ std::string frame(int index, int left, int bytes)
 TEST_CASE("stepped, each frame stands until it is answered")
 {
     const auto bytes = scene();
-    const auto lines = told_of(bytes, "snnq");
+    const auto lines = lines_of(bytes, "snnq");
     REQUIRE(lines.size() == 11);
     CHECK(lines[0].starts_with("KFAST "));
     CHECK(lines[0].ends_with(" test glass 8x4 rgb565"));
@@ -153,9 +153,9 @@ TEST_CASE("stepped, each frame stands until it is answered")
 TEST_CASE("more bytes after the scene are not told of")
 {
     auto bytes = scene();
-    const auto lines = told_of(bytes, "sq");
+    const auto lines = lines_of(bytes, "sq");
     bytes.resize(bytes.size() + 3);
-    CHECK(told_of(bytes, "sq") == lines);
+    CHECK(lines_of(bytes, "sq") == lines);
 }
 
 TEST_CASE("what is sent counts with its windows, for one frame")
@@ -164,23 +164,23 @@ TEST_CASE("what is sent counts with its windows, for one frame")
     TestBoard board{console, {}};
     board.watch({0, 0, 8, 4}, std::vector<std::byte>(64));
     board.watch({0, 0, 2, 4}, std::vector<std::byte>(16, std::byte{0xFF}));
-    console.told.clear();
+    console.written.clear();
     board.frame_shown({});
     board.frame_shown({.time = {1024}});
-    CHECK(console.told == frame(0, 0, 64 + 16 + 2 * 5) + "\n" + frame(1, 0, 0) + "\n");
+    CHECK(console.written == frame(0, 0, 64 + 16 + 2 * 5) + "\n" + frame(1, 0, 0) + "\n");
 }
 
 TEST_CASE("a frame is sent whole on demand")
 {
-    const auto lines = told_of(scene(), "snrq");
+    const auto lines = lines_of(scene(), "snrq");
     REQUIRE(lines.size() == 11);
     CHECK(lines[9] == frame(2, 4, whole_picture));
 }
 
 TEST_CASE("running freely, it ends on demand, and other letters do not matter")
 {
-    CHECK(told_of(scene(), "q").back() == "END");
-    const auto lines = told_of(scene(), "xq");
+    CHECK(lines_of(scene(), "q").back() == "END");
+    const auto lines = lines_of(scene(), "xq");
     REQUIRE(lines.size() == 5);
     CHECK(lines[3] == frame(0, 0, whole_picture));
     CHECK(lines[4] == "END");
@@ -188,7 +188,7 @@ TEST_CASE("running freely, it ends on demand, and other letters do not matter")
 
 TEST_CASE("running freely, frames come by the clock and a whole one on demand")
 {
-    const auto lines = told_of(scene(), "xxrq");
+    const auto lines = lines_of(scene(), "xxrq");
     REQUIRE(lines.size() == 9);
     CHECK(lines[7] == frame(2, 4, whole_picture));
 }
@@ -216,7 +216,7 @@ TEST_CASE("the clock stands while a frame does")
 
 TEST_CASE("what cannot be played is told, and ends it")
 {
-    const auto lines = told_of(bytes({1, 2, 3, 4}), "");
+    const auto lines = lines_of(bytes({1, 2, 3, 4}), "");
     REQUIRE(lines.size() == 2);
     CHECK(lines[1] == "ERROR bad_magic: not a compiled scene");
 }

@@ -9,7 +9,7 @@ namespace kfast::test {
 /// Keeps what is told and answers with what has been put down as `typed`.
 class RecordedConsole {
 public:
-    void write(char letter) { told += letter; }
+    void write(char letter) { written += letter; }
     bool pending() const { return !typed.empty(); }
     char read()
     {
@@ -19,7 +19,7 @@ public:
         return letter;
     }
 
-    std::string told;
+    std::string written;
     std::string typed;
 };
 

@@ -58,8 +58,8 @@ inline void write_in_pieces(Store& store, std::span<const std::byte> scene)
 inline Status put(Store& store, std::uint8_t slot, std::string_view name, std::span<const std::byte> scene,
                   std::span<const std::byte> held = {})
 {
-    if (const Verdict verdict = store.begin(upload_of(slot, name, scene), held); !verdict.is_ok())
-        return verdict.status;
+    if (const StatusWithNumber result = store.begin(upload_of(slot, name, scene), held); !result.is_ok())
+        return result.status;
     write_in_pieces(store, scene);
     return store.finish();
 }

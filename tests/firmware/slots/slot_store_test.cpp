@@ -74,12 +74,13 @@ TEST_CASE("a scene for which there is no room is refused, with the room that the
     Bench bench;
     put(bench.store, 0, "a", padded_scene(5 * sector_bytes, 1));
     const auto refused = upload_of(1, "b", padded_scene(7 * sector_bytes + 1, 2));
-    CHECK(bench.store.begin(refused, {}) == Verdict{Status::no_room, 7 * sector_bytes});
+    CHECK(bench.store.begin(refused, {}) == StatusWithNumber{Status::no_room, 7 * sector_bytes});
     CHECK(put(bench.store, 1, "b", padded_scene(7 * sector_bytes, 2)) == Status::ok);
     CHECK(bench.store.longest_room({}) == 0);
     // The old scene stays whole while the new one arrives, so there is no room to replace it.
     const SlotState before = state_of(bench.store);
-    CHECK(bench.store.begin(upload_of(0, "c", padded_scene(600, 3)), {}) == Verdict{Status::no_room, 0});
+    CHECK(bench.store.begin(upload_of(0, "c", padded_scene(600, 3)), {}) ==
+          StatusWithNumber{Status::no_room, 0});
     CHECK(bench.restarted() == before);
 }
 

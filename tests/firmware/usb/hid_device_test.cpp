@@ -210,19 +210,19 @@ TEST_CASE("a short report is filled up with zeros, also where a long one was")
 TEST_CASE("a report by SET_REPORT comes like any other")
 {
     PretendedComputer computer;
-    CHECK_FALSE(computer.tell(0x2109, 0x0200, 0, packet(1)));
+    CHECK_FALSE(computer.control_write(0x2109, 0x0200, 0, packet(1)));
     computer.configure();
     CHECK(computer.put_packet(Endpoint::reports_out, packet(1)));
-    CHECK(computer.tell(0x2109, 0x0200, 0, packet(2)));
-    CHECK(computer.tell(0x2109, 0x0200, 0, packet(3, 5)));
+    CHECK(computer.control_write(0x2109, 0x0200, 0, packet(2)));
+    CHECK(computer.control_write(0x2109, 0x0200, 0, packet(3, 5)));
     CHECK(computer.put_packet(Endpoint::reports_out, packet(4)));
     CHECK(computer.device.take() == report(1));
     CHECK(computer.device.take() == report(2));
     CHECK(computer.device.take() == report(3, 5));
     CHECK(computer.device.take() == report(4));
     CHECK_FALSE(computer.device.take());
-    CHECK_FALSE(computer.tell(0x2109, 0x0100, 0, packet(5)));
-    CHECK_FALSE(computer.tell(0x2109, 0x0200, 0, packet(5, 65)));
+    CHECK_FALSE(computer.control_write(0x2109, 0x0100, 0, packet(5)));
+    CHECK_FALSE(computer.control_write(0x2109, 0x0200, 0, packet(5, 65)));
     CHECK_FALSE(computer.ask(0x2109, 0x0200, 0, 0));
     CHECK_FALSE(computer.device.take());
 }
@@ -233,13 +233,13 @@ TEST_CASE("SET_REPORT is refused when there is no room, and takes none of anothe
     computer.configure();
     for (std::size_t i = 0; i + 1 < room; ++i)
         REQUIRE(computer.put_packet(Endpoint::reports_out, packet(static_cast<int>(i))));
-    CHECK_FALSE(computer.tell(0x2109, 0x0200, 0, packet(-1)));
+    CHECK_FALSE(computer.control_write(0x2109, 0x0200, 0, packet(-1)));
     CHECK(computer.put_packet(Endpoint::reports_out, packet(room - 1)));
-    CHECK_FALSE(computer.tell(0x2109, 0x0200, 0, packet(-1)));
+    CHECK_FALSE(computer.control_write(0x2109, 0x0200, 0, packet(-1)));
     for (std::size_t i = 0; i < room; ++i)
         REQUIRE(computer.device.take() == report(static_cast<int>(i)));
     CHECK_FALSE(computer.device.take());
-    CHECK(computer.tell(0x2109, 0x0200, 0, packet(7)));
+    CHECK(computer.control_write(0x2109, 0x0200, 0, packet(7)));
     CHECK(computer.device.take() == report(7));
 }
 

@@ -124,7 +124,7 @@ public:
     }
 
     /// A request whose data go to the device.
-    bool tell(unsigned kind, unsigned value, unsigned index, const Bytes& data)
+    bool control_write(unsigned kind, unsigned value, unsigned index, const Bytes& data)
     {
         setup(kind, value, index, static_cast<unsigned>(data.size()));
         return put_packet(Endpoint::control_out, data) &&

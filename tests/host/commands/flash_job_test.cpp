@@ -113,7 +113,7 @@ TEST_CASE("a board that runs is asked to enter its boot loader, and is awaited b
     DeskPico& other = flasher.desk.add("1-3", "E6");
     other.state = State::unplugged;
     flasher.order.place.serial = "E7";
-    flasher.tell = [&](FlashPhase, std::size_t, std::size_t) { other.start(); };
+    flasher.on_progress = [&](FlashPhase, std::size_t, std::size_t) { other.start(); };
     const PlayerOutcome player = flasher.run_and_wait();
     CHECK(flasher.outcome.port == "1-2");
     CHECK(flasher.outcome.serial == "E7");
@@ -150,14 +150,14 @@ TEST_CASE("a boot loader or a player that does not come is not waited for for ev
     }
     SUBCASE("a player")
     {
-        flasher.tell = [&](FlashPhase, std::size_t, std::size_t) { pico.serial = "another"; };
+        flasher.on_progress = [&](FlashPhase, std::size_t, std::size_t) { pico.serial = "another"; };
         CHECK(has(flasher.refusal(),
                   "9: the board was flashed and has restarted, but: no player has come for 2.5 seconds"));
     }
     SUBCASE("a player that may not be opened")
     {
-        flasher.tell = [&](FlashPhase, std::size_t, std::size_t) {
-            pico.forbidden = PretendWorkbench::always;
+        flasher.on_progress = [&](FlashPhase, std::size_t, std::size_t) {
+            pico.forbidden = PretendFlashEnvironment::always;
         };
         CHECK(has(flasher.refusal(), "4: the board was flashed and has restarted, but: you may not"));
     }
@@ -175,7 +175,7 @@ TEST_CASE("a slot that would play gives way to the scene that was flashed")
     CHECK(player.left_slot == 2);
     CHECK(!pico.player.ask<link::SlotContents>(link::AskSlot{2}).is_chosen);
     CHECK(player.playing.home == link::Home::built_in);
-    CHECK(pico.player.device.programme.home == link::Home::built_in);
+    CHECK(pico.player.device.selection.home == link::Home::built_in);
 
     flasher.wish.scene = "";
     const PlayerOutcome unchanged = flasher.run_and_wait();
@@ -228,7 +228,7 @@ TEST_CASE("an interruption leaves a board that another run repairs")
     DeskPico& pico = flasher.running("1-2");
     {
         const RememberedInterruption interruption;
-        flasher.tell = [](FlashPhase phase, std::size_t done, std::size_t) {
+        flasher.on_progress = [](FlashPhase phase, std::size_t done, std::size_t) {
             if (phase == FlashPhase::writing && done == 2)
                 std::raise(SIGINT);
         };
@@ -236,7 +236,7 @@ TEST_CASE("an interruption leaves a board that another run repairs")
     }
     pico.start();
     CHECK(pico.state == State::in_boot_loader);
-    flasher.tell = [](FlashPhase, std::size_t, std::size_t) {};
+    flasher.on_progress = [](FlashPhase, std::size_t, std::size_t) {};
     flasher.run_and_wait();
     CHECK(pico.has_scene());
 }
@@ -246,7 +246,7 @@ TEST_CASE("an interruption before anything is written lets the board play again"
     Flasher flasher;
     DeskPico& pico = flasher.running("1-2");
     const RememberedInterruption interruption;
-    flasher.tell = [](FlashPhase phase, std::size_t done, std::size_t) {
+    flasher.on_progress = [](FlashPhase phase, std::size_t done, std::size_t) {
         if (phase == FlashPhase::comparing && done == 1)
             std::raise(SIGINT);
     };

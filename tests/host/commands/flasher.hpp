@@ -3,8 +3,8 @@
 #include "firmware/settings/board_record.hpp"
 #include "host/commands/flash/flash_job.hpp"
 #include "host/config/config_input.hpp"
+#include "tests/host/commands/pretend_flash_environment.hpp"
 #include "tests/host/commands/pretend_images.hpp"
-#include "tests/host/commands/pretend_workbench.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -49,12 +49,12 @@ struct Flasher {
     FlashOutcome run()
     {
         const FlashPlan plan{wish, images.folders()};
-        return FlashJob{desk, plan, order, tell}.run();
+        return FlashJob{desk, plan, order, on_progress}.run();
     }
     PlayerOutcome run_and_wait()
     {
         const FlashPlan plan{wish, images.folders()};
-        FlashJob job{desk, plan, order, tell};
+        FlashJob job{desk, plan, order, on_progress};
         outcome = job.run();
         return job.await_player();
     }
@@ -84,13 +84,13 @@ struct Flasher {
     }
 
     PretendImages images;
-    PretendWorkbench desk;
+    PretendFlashEnvironment desk;
     PlanWish wish{.scene = images.text("scene.kfast", small_scene),
                   .firmware = {},
                   .settings = {.config = {}, .panel = "st7789", .pins = {"dc=8"}}};
     FlashOrder order;
     FlashOutcome outcome;
-    FlashProgressCallback tell = [](FlashPhase, std::size_t, std::size_t) {};
+    FlashProgressCallback on_progress = [](FlashPhase, std::size_t, std::size_t) {};
 };
 
 inline BoardSettings settings_of(const DeskPico& pico)

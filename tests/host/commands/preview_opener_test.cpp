@@ -123,7 +123,7 @@ TEST_CASE("for somebody who watches, a first text with mistakes is an empty scen
     CHECK(has_changed(empty->read));
     const auto mended = opener.open_next(folder.path("plot.kfast"));
     CHECK(mended->mistakes.empty());
-    CHECK(mended->programme.first == 1); // that --clip names
+    CHECK(mended->playback_setup.first == 1); // that --clip names
 }
 
 TEST_CASE("a first text with mistakes is refused where nobody watches, and what is no text always")
@@ -148,12 +148,12 @@ TEST_CASE("only the names that a scene has not are left out")
     folder.write("part.kfast", "kfast 1\ncanvas 64 32 frames=10\ninput gaze\n"
                                "object o fill=red { rect 0 0 9 9; track x input=gaze { at 0 0; at 1 9 } }\n");
     const auto part = opener.open_next(folder.path("part.kfast"));
-    CHECK(part->programme.inputs.front().value == 500);
-    CHECK(part->programme.first == 0);
+    CHECK(part->playback_setup.inputs.front().value == 500);
+    CHECK(part->playback_setup.first == 0);
     CHECK(part->warnings.find("there is no clip 'blink'") != std::string::npos);
     CHECK(part->warnings.find("there is no drawing 'plot'") != std::string::npos);
     CHECK(part->warnings.find("gaze") == std::string::npos);
-    CHECK(opener.open_next(folder.path("plot.kfast"))->programme.first == 1);
+    CHECK(opener.open_next(folder.path("plot.kfast"))->playback_setup.first == 1);
 }
 
 TEST_CASE("a drawing is read once, for the picture and for all that is laid over it")
@@ -164,7 +164,7 @@ TEST_CASE("a drawing is read once, for the picture and for all that is laid over
     fs::remove(folder.folder / "points.txt");
     SceneLayers layers{*scene};
     CHECK(lit(scene->source->show(Time{0})) > 40);
-    const PreviewPlayback playback{scene->programme, Pace::smooth, PreviewPlayback::Seconds{0}};
+    const PreviewPlayback playback{scene->playback_setup, Pace::smooth, PreviewPlayback::Seconds{0}};
     CHECK(layers.item_at(playback, {19.5, 15.5}).has_value()); // moved by the input
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("changed areas are those that the board sends")
     choice.board = folder.path("mine.kdl");
     const auto scene = opened(folder, choice);
     SceneLayers layers{*scene};
-    const PreviewPlayback playback{scene->programme, Pace::smooth, PreviewPlayback::Seconds{0}};
+    const PreviewPlayback playback{scene->playback_setup, Pace::smooth, PreviewPlayback::Seconds{0}};
     const std::string facts = layers.overlay(playback, {.changed_areas = true}, 1).facts;
     CHECK(facts.find("1 area, 1030 bytes, 100 %") == 0); // 1024 of pixels, a bit for each
 }

@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 #include "host/player/received_drawing.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/rounds.hpp"
 
 #include <cmath>
@@ -16,10 +16,10 @@ constexpr Size canvas{120, 90};
 constexpr std::size_t max_points = 60;
 constexpr std::size_t max_strokes = 6;
 
-struct Telling {
+struct DrawingGenerator {
     std::mt19937 random;
 
-    explicit Telling(unsigned seed) : random{seed} {}
+    explicit DrawingGenerator(unsigned seed) : random{seed} {}
 
     std::int16_t any(int low, int high)
     {
@@ -55,13 +55,13 @@ struct Telling {
 
     ReceivedDrawing drawing(int kind)
     {
-        ReceivedDrawing told(random() % 3 == 0 ? max_strokes : 1);
+        ReceivedDrawing result(random() % 3 == 0 ? max_strokes : 1);
         for (std::size_t n = 0; n < max_points; ++n)
-            told[n * told.size() / max_points].push_back(point(kind, static_cast<int>(n)));
+            result[n * result.size() / max_points].push_back(point(kind, static_cast<int>(n)));
         if (random() % 2 == 0)
-            for (auto& stroke : told)
+            for (auto& stroke : result)
                 stroke.back() = stroke.front();
-        return told;
+        return result;
     }
 };
 
@@ -84,17 +84,18 @@ TEST_CASE("whatever is told finds room as finely as it is wanted, at any pen, pl
           "stroke=red width=5 join=round rotate-y=70",
           "stroke=red width=2 join=round cap=round rotate-x=80 z=100"}) {
         CAPTURE(style);
-        Stage stage{scene(style), canvas};
-        Telling telling{1};
+        PlayerFixture fixture{scene(style), canvas};
+        DrawingGenerator generator{1};
         for (int round = 0; round < 200; ++round) {
             const int kind = round % 8;
             CAPTURE(kind);
-            CHECK(stage.player.set_drawing(0, strokes_of(telling.drawing(kind))));
-            stage.player.show({});
-            const raster::Picture& picture = stage.player.picture();
+            CHECK(fixture.player.set_drawing(0, strokes_of(generator.drawing(kind))));
+            fixture.player.show({});
+            const raster::Picture& picture = fixture.player.picture();
             REQUIRE_FALSE(picture.outlines.is_full());
             REQUIRE(picture.coarseness == 0);
-            fullest = std::max(fullest, 100 * picture.outlines.needed_bytes() / stage.scene.outline_bytes());
+            fullest =
+                std::max(fullest, 100 * picture.outlines.needed_bytes() / fixture.scene.outline_bytes());
         }
     }
     CHECK(fullest > 55); // else the bound would be far too high
@@ -103,7 +104,7 @@ TEST_CASE("whatever is told finds room as finely as it is wanted, at any pen, pl
 TEST_CASE("what is not seen, and uses of symbols, count in the bound")
 {
     const auto bytes = [](const std::string& items) {
-        return Stage{"kfast 1\ncanvas 120 90\ninput i kind=drawing points=60\n" + items, canvas}
+        return PlayerFixture{"kfast 1\ncanvas 120 90\ninput i kind=drawing points=60\n" + items, canvas}
             .scene.outline_bytes();
     };
     const std::size_t once = bytes("object o live=i stroke=red");

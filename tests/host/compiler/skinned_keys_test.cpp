@@ -2,7 +2,7 @@
 #include "core/time/key_interval.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 #include "tests/core/moved_scene.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 #include "tests/host/compiler/posed_drawing.hpp"
 #include "tests/host/compiler/random_scene.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
@@ -113,7 +113,7 @@ TEST_CASE("the player carries points to where the compiler foresees them")
 TEST_CASE("what drawings change stays as it is on the canvas, or turns with the bones")
 {
     const auto eye = [](const std::string& properties, const std::string& keys) {
-        return Stage{
+        return PlayerFixture{
             "kfast 1\ncanvas 90 90 loop=once\nbones b { bone head 20 45 45 45; pose 0 { head turn=90 } }\n"
             "object eye fill=white skin=b bone=head" +
                 properties + " {" + keys + "}",

@@ -51,7 +51,7 @@ BoardSettings read(const std::string& text)
     return *reading.settings;
 }
 
-void check_told(const Reading& reading, const std::string& where, std::string_view says)
+void check_reported(const Reading& reading, const std::string& where, std::string_view says)
 {
     CAPTURE(reading.said);
     CHECK(reading.said.find("my.kdl:" + where) != std::string::npos);
@@ -61,14 +61,14 @@ void check_told(const Reading& reading, const std::string& where, std::string_vi
 void check_refused(const std::string& text, const std::string& place, std::string_view says)
 {
     const Reading reading = reading_of(text);
-    check_told(reading, place + ": error:", says);
+    check_reported(reading, place + ": error:", says);
     CHECK_FALSE(reading.settings);
 }
 
 void check_warned(const std::string& text, const std::string& place, std::string_view says)
 {
     const Reading reading = reading_of(text);
-    check_told(reading, place + ": warning:", says);
+    check_reported(reading, place + ": warning:", says);
     CHECK(reading.settings);
 }
 

@@ -1,4 +1,4 @@
-#include "boards/pico/stage/default_settings.hpp"
+#include "boards/pico/app/default_settings.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/default_configuration.hpp"
 

@@ -172,7 +172,7 @@ void BootRom::take_data(std::span<const std::byte> bytes)
         phase_ = Phase::acknowledge_in;
 }
 
-void BootRom::tell(std::uint8_t request)
+void BootRom::control_write(std::uint8_t request)
 {
     step();
     if (request != 0x41)

@@ -23,7 +23,7 @@ public:
 
     void send(std::span<const std::byte> bytes);
     std::size_t receive(std::span<std::byte> bytes);
-    void tell(std::uint8_t request);
+    void control_write(std::uint8_t request);
     std::size_t ask(std::uint8_t request, std::span<std::byte> answer);
     /// Standard requests to an endpoint.
     bool is_halted(bool in) const { return in ? in_is_halted_ : out_is_halted_; }
@@ -74,7 +74,10 @@ public:
     {
         return rom_.receive(bytes);
     }
-    void tell(std::uint8_t request, std::chrono::milliseconds) override { rom_.tell(request); }
+    void control_write(std::uint8_t request, std::chrono::milliseconds) override
+    {
+        rom_.control_write(request);
+    }
     std::size_t ask(std::uint8_t request, std::span<std::byte> answer, std::chrono::milliseconds) override
     {
         return rom_.ask(request, answer);

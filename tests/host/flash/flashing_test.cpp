@@ -236,17 +236,17 @@ TEST_CASE("progress goes through each phase from nothing to all")
     const FlashImage image{old_regions()};
     NorFlash memory{12};
     PretendBootLoader boot_loader{memory};
-    std::vector<std::pair<FlashPhase, std::size_t>> told;
-    const auto tell = [&told](FlashPhase phase, std::size_t done, std::size_t total) {
+    std::vector<std::pair<FlashPhase, std::size_t>> progress;
+    const auto on_progress = [&progress](FlashPhase phase, std::size_t done, std::size_t total) {
         CHECK(total == 6);
-        told.emplace_back(phase, done);
+        progress.emplace_back(phase, done);
     };
-    write_sectors(boot_loader, image, differing_sectors(boot_loader, image, tell), tell);
+    write_sectors(boot_loader, image, differing_sectors(boot_loader, image, on_progress), on_progress);
     std::vector<std::pair<FlashPhase, std::size_t>> expected;
     for (const FlashPhase phase : {FlashPhase::comparing, FlashPhase::writing, FlashPhase::verifying})
         for (std::size_t done = 0; done <= 6; ++done)
             expected.emplace_back(phase, done);
-    CHECK(told == expected);
+    CHECK(progress == expected);
 }
 
 TEST_CASE("an interruption stops between two sectors, and the board starts nothing")
@@ -257,12 +257,13 @@ TEST_CASE("an interruption stops between two sectors, and the board starts nothi
         NorFlash memory = flash_with(old_image);
         PretendBootLoader boot_loader{memory};
         const RememberedInterruption interruption;
-        const auto tell = [in](FlashPhase phase, std::size_t done, std::size_t) {
+        const auto on_progress = [in](FlashPhase phase, std::size_t done, std::size_t) {
             if (phase == in && done == 2)
                 std::raise(SIGINT);
         };
         const auto run = [&] {
-            write_sectors(boot_loader, new_image, differing_sectors(boot_loader, new_image, tell), tell);
+            write_sectors(boot_loader, new_image, differing_sectors(boot_loader, new_image, on_progress),
+                          on_progress);
         };
         CHECK_THROWS_AS(run(), Interrupted);
         CHECK(boot_loader.changed == (in != FlashPhase::comparing));

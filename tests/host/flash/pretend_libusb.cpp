@@ -74,7 +74,7 @@ struct Configuration {
 };
 
 /// What the action returns, or the error that it throws.
-int told(const auto& action)
+int result_of(const auto& action)
 {
     try {
         return static_cast<int>(action());
@@ -207,7 +207,7 @@ int libusb_release_interface(libusb_device_handle* handle, int interface)
 
 int libusb_clear_halt(libusb_device_handle* handle, unsigned char endpoint)
 {
-    return told([&] { return handle->device->facts.rom->clear_halt(endpoint == in_endpoint), 0; });
+    return result_of([&] { return handle->device->facts.rom->clear_halt(endpoint == in_endpoint), 0; });
 }
 
 int libusb_control_transfer(libusb_device_handle* handle, std::uint8_t type, std::uint8_t request,
@@ -223,8 +223,9 @@ int libusb_control_transfer(libusb_device_handle* handle, std::uint8_t type, std
     if (index != picoboot_interface(*handle) || handle->claimed != index)
         return LIBUSB_ERROR_PIPE;
     if (type == 0x41)
-        return told([&] { return rom.tell(request), 0; });
-    return type == 0xC1 ? told([&] { return rom.ask(request, bytes_at(data, length)); }) : LIBUSB_ERROR_PIPE;
+        return result_of([&] { return rom.control_write(request), 0; });
+    return type == 0xC1 ? result_of([&] { return rom.ask(request, bytes_at(data, length)); })
+                        : LIBUSB_ERROR_PIPE;
 }
 
 int libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, unsigned char* data,
@@ -236,7 +237,7 @@ int libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, u
         return handle->device->facts.transfer_error;
     BootRom& rom = *handle->device->facts.rom;
     const auto bytes = bytes_at(data, static_cast<std::size_t>(length));
-    const int result = told([&]() -> std::size_t {
+    const int result = result_of([&]() -> std::size_t {
         if (endpoint == in_endpoint)
             return rom.receive(bytes);
         rom.send(bytes);

@@ -154,13 +154,13 @@ TEST_CASE("each step is on the drive before the next one begins")
 {
     const Drive drive;
     std::vector<std::uintmax_t> sizes;
-    const auto tell = [&](FlashPhase phase, std::size_t done, std::size_t total) {
+    const auto on_progress = [&](FlashPhase phase, std::size_t done, std::size_t total) {
         CHECK(phase == FlashPhase::writing);
         CHECK(total == 7);
         if (done > 0)
             sizes.push_back(fs::file_size(drive.folder / "KFAST.UF2") / 512);
     };
-    copy_to_drive(uf2_drive_at(drive.path()), image(1), tell);
+    copy_to_drive(uf2_drive_at(drive.path()), image(1), on_progress);
     CHECK(sizes == std::vector<std::uintmax_t>{32, 48, 64, 80, 96, 112, 128});
 }
 
@@ -168,11 +168,11 @@ TEST_CASE("a copy can be interrupted")
 {
     const Drive drive;
     const RememberedInterruption interruption;
-    const auto tell = [](FlashPhase, std::size_t done, std::size_t) {
+    const auto on_progress = [](FlashPhase, std::size_t done, std::size_t) {
         if (done == 2)
             std::raise(SIGINT);
     };
-    CHECK_THROWS_AS(copy_to_drive(uf2_drive_at(drive.path()), image(1), tell), Interrupted);
+    CHECK_THROWS_AS(copy_to_drive(uf2_drive_at(drive.path()), image(1), on_progress), Interrupted);
     CHECK(drive.copied().size() == 48 * 512);
 }
 

@@ -24,7 +24,7 @@ Read read(const test::Files& files, const std::string& wanted = "")
     return result;
 }
 
-bool tells(const art::Losses& losses, std::string_view feature)
+bool reports(const art::Losses& losses, std::string_view feature)
 {
     return std::ranges::any_of(losses.list(), [&](const art::Loss& loss) { return loss.feature == feature; });
 }
@@ -120,9 +120,9 @@ TEST_CASE("what else a manifest wants is told")
          {"playing backwards", "playing while a pointer is over it", "a pause between plays",
           "a number of plays", "speed of -2", "themes", "state machines"}) {
         CAPTURE(feature);
-        CHECK(tells(losses, feature));
+        CHECK(reports(losses, feature));
     }
-    CHECK(tells(
+    CHECK(reports(
         read({{"manifest.json", R"({"states":["s"],"animations":[{"id":"a"}]})"}, {"animations/a.json", ""}})
             .losses,
         "state machines"));

@@ -20,7 +20,7 @@ std::vector<RemoteDevice> three_devices()
         pipe->answer = [serial](const link::Report& request) {
             return std::optional{link::report_of(link::Capabilities{.serial = {serial}}, request.tag())};
         };
-        devices.emplace_back(std::move(pipe), Session::Manner{}, "it");
+        devices.emplace_back(std::move(pipe), Session::Options{}, "it");
     }
     return devices;
 }

@@ -48,7 +48,7 @@ public:
         facts.serial = {serial_};
         return facts;
     }
-    Status play(const link::Programme& next, const SceneView& scene)
+    Status play(const link::SceneSelection& next, const SceneView& scene)
     {
         const std::uint8_t brightness = now.brightness;
         const Status status = PretendDevice::play(next, scene);
@@ -61,7 +61,7 @@ public:
     }
     link::InputState input(std::uint8_t number) const
     {
-        InputCursor cursor = SceneView::parse(programme.scene)->inputs();
+        InputCursor cursor = SceneView::parse(selection.scene)->inputs();
         for (std::uint8_t before = 0; before < number; ++before)
             cursor.next();
         const InputView input = cursor.next();

@@ -206,12 +206,12 @@ TEST_CASE("progress is told and ends with all")
     LinkBench device;
     DevicePipe pipe{device};
     Session session{pipe, {}};
-    std::vector<std::size_t> told;
-    upload_scene(session, begin_in_ram(scene), scene, [&](std::size_t bytes) { told.push_back(bytes); });
-    CHECK(std::ranges::is_sorted(told));
-    CHECK(told.front() == 0);
-    CHECK(told.back() == scene.size());
-    CHECK(told.size() > 3);
+    std::vector<std::size_t> progress;
+    upload_scene(session, begin_in_ram(scene), scene, [&](std::size_t bytes) { progress.push_back(bytes); });
+    CHECK(std::ranges::is_sorted(progress));
+    CHECK(progress.front() == 0);
+    CHECK(progress.back() == scene.size());
+    CHECK(progress.size() > 3);
 }
 
 TEST_CASE("unplugged after any report, an upload says so, and the next one succeeds")

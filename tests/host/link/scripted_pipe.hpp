@@ -16,8 +16,8 @@ public:
     {
         ++now_;
         if (answer)
-            if (const auto told = answer(report))
-                answers_.push_back(*told);
+            if (const auto reply = answer(report))
+                answers_.push_back(*reply);
     }
     std::optional<link::Report> receive(Milliseconds patience) override
     {

@@ -147,14 +147,14 @@ TEST_CASE("what is told without a tag fails aloud")
     LinkBench device;
     DevicePipe pipe{device};
     Session session{pipe, {}};
-    session.tell(Inputs{});
-    session.tell_failures();
-    session.tell(Speed{1 << 30});
-    CHECK_THROWS_AS(session.tell_failures(), Refusal);
-    session.tell_failures(); // once
-    session.tell(Speed{1 << 30});
+    session.post(Inputs{});
+    session.throw_pending_failure();
+    session.post(Speed{1 << 30});
+    CHECK_THROWS_AS(session.throw_pending_failure(), Refusal);
+    session.throw_pending_failure(); // once
+    session.post(Speed{1 << 30});
     session.order(Pause{}); // does not take it for its own
-    CHECK_THROWS_AS(session.tell_failures(), Refusal);
+    CHECK_THROWS_AS(session.throw_pending_failure(), Refusal);
 }
 
 TEST_CASE("a device of another version of the link is not asked anything more")

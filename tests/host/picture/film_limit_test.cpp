@@ -41,7 +41,7 @@ int noise(int frame, int x, int y)
 }
 
 template <class Write>
-std::string told(Write write)
+std::string failure_text(Write write)
 {
     const TemporaryFolder folder;
     const std::filesystem::path target = folder / "film";
@@ -55,26 +55,27 @@ std::string told(Write write)
     return reason;
 }
 
-std::string told_of_gif(int count)
+std::string gif_failure(int count)
 {
     PaintedSource source{{256, 256}, noise};
-    return told(
-        [&](const auto& target) { write_gif(target, source, frames(count), tell_nobody, one_mebibyte); });
+    return failure_text(
+        [&](const auto& target) { write_gif(target, source, frames(count), ignore_progress, one_mebibyte); });
 }
 
-std::string told_of_apng(int count)
+std::string apng_failure(int count)
 {
     PaintedSource source{{256, 256}, noise};
-    return told(
-        [&](const auto& target) { write_apng(target, source, frames(count), tell_nobody, one_mebibyte); });
+    return failure_text([&](const auto& target) {
+        write_apng(target, source, frames(count), ignore_progress, one_mebibyte);
+    });
 }
 
-std::string told_of_svg(int count)
+std::string svg_failure(int count)
 {
     const std::vector<std::byte> scene = compiled(many_lines());
     SvgSource source{*SceneView::parse(scene), {200, 200}, Fit::contain};
-    return told([&](const auto& target) {
-        write_animated_svg(target, source, frames(count), tell_nobody, one_mebibyte);
+    return failure_text([&](const auto& target) {
+        write_animated_svg(target, source, frames(count), ignore_progress, one_mebibyte);
     });
 }
 
@@ -82,12 +83,12 @@ std::string told_of_svg(int count)
 
 TEST_CASE("a film that becomes too large is refused, and leaves no file")
 {
-    CHECK(told_of_gif(5).empty());
-    CHECK(told_of_gif(30) == refused("GIF"));
-    CHECK(told_of_apng(5).empty());
-    CHECK(told_of_apng(30) == refused("animated PNG"));
-    CHECK(told_of_svg(5).empty());
-    CHECK(told_of_svg(100) == refused("SVG"));
+    CHECK(gif_failure(5).empty());
+    CHECK(gif_failure(30) == refused("GIF"));
+    CHECK(apng_failure(5).empty());
+    CHECK(apng_failure(30) == refused("animated PNG"));
+    CHECK(svg_failure(5).empty());
+    CHECK(svg_failure(100) == refused("SVG"));
 }
 
 }

@@ -25,18 +25,18 @@ object dots fill=white {
     const auto details = [&bytes] {
         PlayerSource source{*SceneView::parse(bytes), {60, 60}, Fit::contain, PixelFormat::rgb565};
         std::vector<Detail> found;
-        std::vector<std::string> told;
+        std::vector<std::string> texts;
         for (const int frame : {0, 4, 0}) {
             source.show(Time::frame(frame));
             found.push_back(source.min_detail());
-            told.push_back(source.facts());
+            texts.push_back(source.facts());
         }
-        CHECK(told[0].empty());
-        CHECK(told[2].empty());
+        CHECK(texts[0].empty());
+        CHECK(texts[2].empty());
         CHECK(found[0] == Detail::full);
         CHECK(found[1] == found[2]);
-        CHECK(told[1].empty() == (found[1] == Detail::full));
-        return std::pair{found[1], told[1]};
+        CHECK(texts[1].empty() == (found[1] == Detail::full));
+        return std::pair{found[1], texts[1]};
     };
     const std::uint32_t enough = SceneView::parse(bytes)->outline_bytes();
     CHECK(details() == std::pair{Detail::full, std::string{}});

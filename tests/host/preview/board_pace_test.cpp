@@ -4,7 +4,7 @@
 #include "host/fit/speed.hpp"
 #include "host/preview/board/previewed_board.hpp"
 #include "tests/host/preview/named_scene.hpp"
-#include "tests/host/preview/played_programme.hpp"
+#include "tests/host/preview/playback_fixtures.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -54,7 +54,7 @@ TEST_CASE("what a board shows stands still between its frames, and goes on as ev
 
 TEST_CASE("events of frames that a board leaves out are passed all the same, and a pause begins anew")
 {
-    Told run;
+    RecordedPlayback run;
     run.state.pace_by([](Time) { return 0.9; }, start);
     run.state.advance_to(after(0.95));
     CHECK(run.passed().find("step") != std::string::npos);
@@ -86,7 +86,7 @@ TEST_CASE("a picture takes as long as the fit report says")
                            "object ball fill=red { key 0 x=0; key 20 x=80; circle 60 60 r=40 }\n"};
     const fit::Target board = previewed_board({.size = {240, 240}});
     const fit::Speed speed =
-        fit::measured_speed(scene.view(), board, Fit::contain, std::stop_token{}, tell_nobody);
+        fit::measured_speed(scene.view(), board, Fit::contain, std::stop_token{}, ignore_progress);
     BoardPace pace{scene.view(), board, Fit::contain};
     CHECK(pace.seconds_for(Time{0}) == doctest::Approx(speed.first.seconds()));
     for (int frame = 1; frame < 20; ++frame) {

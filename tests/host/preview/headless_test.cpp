@@ -15,7 +15,7 @@
 namespace kfast::test {
 namespace {
 
-Programme programme(std::uint32_t rate, const PlayRange& stretch)
+PlaybackSetup playback_setup(std::uint32_t rate, const PlayRange& stretch)
 {
     static const std::vector<std::byte> events =
         event_bytes({{"begin", Time{0}}, {"late\n", {9 * 1024 + 512}}});
@@ -26,14 +26,14 @@ Programme programme(std::uint32_t rate, const PlayRange& stretch)
 }
 
 /// A scene of which only this is seen.
-std::unique_ptr<OpenedScene> opened(std::unique_ptr<FrameSource> source, Programme programme)
+std::unique_ptr<OpenedScene> opened(std::unique_ptr<FrameSource> source, PlaybackSetup playback_setup)
 {
     std::vector<std::byte> bytes = compiled("kfast 1\ncanvas 1 1\n");
     const SceneView view = *SceneView::parse(bytes);
     return std::make_unique<OpenedScene>(OpenedScene{.file = "none.kfast",
                                                      .scene = {std::move(bytes), view},
                                                      .source = std::move(source),
-                                                     .programme = std::move(programme),
+                                                     .playback_setup = std::move(playback_setup),
                                                      .panel = {1, 1}});
 }
 
@@ -47,7 +47,7 @@ std::string played(std::unique_ptr<FrameSource> source, const std::string& scrip
     for (std::string word; words >> word;)
         steps.push_back(script_step(word).value());
     Viewer viewer{open_nothing,
-                  opened(std::move(source), programme(30000, {{}, Time::frame(10), Loop::repeat})),
+                  opened(std::move(source), playback_setup(30000, {{}, Time::frame(10), Loop::repeat})),
                   Viewer::Seconds{0}};
     std::ostringstream out;
     play_script(viewer, steps, out);
@@ -67,7 +67,7 @@ TEST_CASE("without keys every frame is shown once, at any frame rate")
         std::vector<int> shown;
         PaintedSource source = numbered(shown);
         std::ostringstream out;
-        play_headless(source, programme(rate, {{}, Time::frame(5), Loop::once}), out);
+        play_headless(source, playback_setup(rate, {{}, Time::frame(5), Loop::once}), out);
         CHECK(shown == std::vector{0, 1, 2, 3, 4, 5});
         CHECK(out.str() == "event 0 begin\n6 frames, hash a2b3bb90\n");
     }
@@ -145,7 +145,7 @@ TEST_CASE("events behind the last frame are passed as well, and written so that 
     std::vector<int> shown;
     PaintedSource source = numbered(shown);
     std::ostringstream out;
-    play_headless(source, programme(30000, {{}, Time::frame(10), Loop::repeat}), out);
+    play_headless(source, playback_setup(30000, {{}, Time::frame(10), Loop::repeat}), out);
     CHECK(out.str().starts_with("event 0 begin\nevent 9.5 late<U+000A>\n10 frames, "));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("a speed changes how many frames there are")
     std::vector<int> shown;
     PaintedSource source = numbered(shown);
     std::ostringstream out;
-    Programme fast = programme(30000, {{}, Time::frame(5), Loop::once});
+    PlaybackSetup fast = playback_setup(30000, {{}, Time::frame(5), Loop::once});
     fast.speed = -2 * Playhead::as_authored;
     play_headless(source, fast, out);
     CHECK(shown == std::vector{5, 3, 1, 0});

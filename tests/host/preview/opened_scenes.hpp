@@ -25,7 +25,7 @@ inline std::unique_ptr<OpenedScene> open_scene(const std::filesystem::path& file
         return std::make_unique<OpenedScene>(OpenedScene{.file = file,
                                                          .scene = std::move(scene),
                                                          .source = std::move(source),
-                                                         .programme = programme_of(view),
+                                                         .playback_setup = playback_setup_of(view),
                                                          .panel = view.canvas(),
                                                          .read = std::move(read),
                                                          .warnings = found.str()});

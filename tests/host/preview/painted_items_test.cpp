@@ -103,9 +103,9 @@ TEST_CASE("on the screen of a beam the nearest outline counts")
 {
     const NamedScene scene{"kfast 1\ncanvas 100 100\nobject box stroke=lime width=1 { rect 20 20 60 60 }\n"
                            "object bar stroke=lime width=1 { line 0 50 100 50 }\n"};
-    const Stage stage{.scene = scene.view(), .panel = {200, 200}, .is_beam = true};
-    OverlaySource source{stage};
-    const PanelSpot left = stage.spot({Fixed::pixels(205), Fixed::pixels(400)}); // of 1024
+    const Viewport viewport{.scene = scene.view(), .panel = {200, 200}, .is_beam = true};
+    OverlaySource source{viewport};
+    const PanelSpot left = viewport.spot({Fixed::pixels(205), Fixed::pixels(400)}); // of 1024
     CHECK(source.item_at({}, {left.x + 2, left.y}) == scene.number("box"));
     CHECK(source.item_at({}, {100, 102}) == scene.number("bar"));
     CHECK_FALSE(source.item_at({}, {100, 80}).has_value());

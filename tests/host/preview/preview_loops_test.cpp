@@ -1,6 +1,6 @@
 #include "host/preview/playback/preview_playback.hpp"
 
-#include "tests/host/preview/played_programme.hpp"
+#include "tests/host/preview/playback_fixtures.hpp"
 
 #include <doctest/doctest.h>
 
@@ -84,7 +84,7 @@ TEST_CASE("a pause or a step does not end a preview, whatever the number of loop
 
 TEST_CASE("loops last as long as the speed asks for")
 {
-    Programme fast = silent(Loop::repeat);
+    PlaybackSetup fast = silent(Loop::repeat);
     fast.speed = 2 * Playhead::as_authored;
     PreviewPlayback state{fast, Pace::smooth, start, 2};
     state.advance_to(after(0.9));
@@ -116,13 +116,13 @@ TEST_CASE("c and b go through the scene and its clips, each with its own loop mo
 
 TEST_CASE("the last loop passes its last events, though it shows no more")
 {
-    Told told{1};
-    PreviewPlayback& state = told.state;
+    RecordedPlayback recorded{1};
+    PreviewPlayback& state = recorded.state;
     state.advance_to(after(0.4));
     state.advance_to(after(7));
     CHECK(state.wants_to_quit());
     CHECK(state.frame() == 4);
-    CHECK(told.passed() == "begin step echo\x1b ");
+    CHECK(recorded.passed() == "begin step echo\x1b ");
 }
 
 TEST_CASE("what plays once can be repeated, what repeats can play once, and either as it was made")
@@ -149,7 +149,7 @@ TEST_CASE("the number of loops goes on with a playback for another, whose scene 
         CAPTURE(frames);
         PreviewPlayback before = playback(Loop::repeat, 3);
         before.advance_to(after(1.4));
-        Programme longer = silent(Loop::repeat);
+        PlaybackSetup longer = silent(Loop::repeat);
         longer.parts.front().stretch.end = Time::frame(frames);
         PreviewPlayback state{longer, Pace::smooth, start, 3};
         state.continue_from(before, after(1.4));
@@ -161,7 +161,7 @@ TEST_CASE("the number of loops goes on with a playback for another, whose scene 
     }
     PreviewPlayback before = playback(Loop::ping_pong, 1);
     before.advance_to(after(1.4));
-    Programme longer = silent(Loop::ping_pong);
+    PlaybackSetup longer = silent(Loop::ping_pong);
     longer.parts.front().stretch.end = Time::frame(15);
     PreviewPlayback state{longer, Pace::smooth, start, 1};
     state.continue_from(before, after(1.4));

@@ -1,6 +1,6 @@
 #include "host/preview/playback/preview_playback.hpp"
 
-#include "tests/host/preview/played_programme.hpp"
+#include "tests/host/preview/playback_fixtures.hpp"
 
 #include <doctest/doctest.h>
 
@@ -61,7 +61,7 @@ TEST_CASE("n and p go from key to key and around, and pause")
 
 TEST_CASE("without keys n and p go to the beginning")
 {
-    Programme keyless = silent(Loop::repeat);
+    PlaybackSetup keyless = silent(Loop::repeat);
     keyless.keys.clear();
     PreviewPlayback state{keyless, Pace::smooth, start};
     state.press(PreviewKey::next_key, after(0.4));
@@ -132,7 +132,7 @@ TEST_CASE("speed goes by doubles, within 1/16 and 16, and backwards; what is sho
 
 TEST_CASE("backwards begins at the end; once ends at its beginning and starts anew at its end")
 {
-    Programme backwards = silent(Loop::once);
+    PlaybackSetup backwards = silent(Loop::once);
     backwards.speed = -Playhead::as_authored;
     PreviewPlayback state{backwards, Pace::smooth, start, 1};
     CHECK(state.time() == Time::frame(10));
@@ -163,37 +163,37 @@ TEST_CASE("in a clip, keys and arrows stay within it")
 
 TEST_CASE("events are passed in order, none left out, and the status names the latest")
 {
-    Told told;
-    PreviewPlayback& state = told.state;
-    CHECK(told.passed() == "");
+    RecordedPlayback recorded;
+    PreviewPlayback& state = recorded.state;
+    CHECK(recorded.passed() == "");
     state.advance_to(after(0));
-    CHECK(told.passed() == "begin ");
+    CHECK(recorded.passed() == "begin ");
     CHECK(state.status() == "frame 0  0.000 s  playing  event begin");
     state.advance_to(after(0.51));
-    CHECK(told.passed() == "step ");
+    CHECK(recorded.passed() == "step ");
     state.advance_to(after(2.9));
-    CHECK(told.passed() == "echo\x1b begin step echo\x1b begin step echo\x1b ");
+    CHECK(recorded.passed() == "echo\x1b begin step echo\x1b begin step echo\x1b ");
     CHECK(state.status() == "frame 9  0.900 s  playing  event echo<U+001B>");
-    CHECK(told.passed() == "");
+    CHECK(recorded.passed() == "");
 }
 
 TEST_CASE("stepping passes nothing and forgets the latest event; playing on begins with what is there")
 {
-    Told told;
-    PreviewPlayback& state = told.state;
+    RecordedPlayback recorded;
+    PreviewPlayback& state = recorded.state;
     state.advance_to(after(0.45));
-    told.passed();
+    recorded.passed();
     state.press(PreviewKey::next_frame, after(0.45));
     CHECK(state.status() == "frame 5  0.500 s  paused");
-    CHECK(told.passed() == "");
+    CHECK(recorded.passed() == "");
     state.press(PreviewKey::play_pause, after(1));
     state.advance_to(after(1.01));
-    CHECK(told.passed() == "step ");
+    CHECK(recorded.passed() == "step ");
 }
 
 TEST_CASE("a board changes its picture at the frames alone")
 {
-    Programme slow = silent(Loop::repeat);
+    PlaybackSetup slow = silent(Loop::repeat);
     slow.speed = Playhead::as_authored / 2;
     PreviewPlayback state{slow, Pace::by_frames, start};
     state.advance_to(after(0.39));
@@ -215,11 +215,11 @@ TEST_CASE("a playback that goes on for another keeps its way back and its latest
     state.advance_to(after(2.3));
     CHECK(state.time() == Time::frame(3)); // forwards again
 
-    Told told;
-    told.state.advance_to(after(0.6));
-    PreviewPlayback next{programme(Loop::repeat), Pace::smooth, start};
-    next.continue_from(told.state, after(0.6));
-    CHECK(next.status() == told.state.status());
+    RecordedPlayback recorded;
+    recorded.state.advance_to(after(0.6));
+    PreviewPlayback next{playback_setup(Loop::repeat), Pace::smooth, start};
+    next.continue_from(recorded.state, after(0.6));
+    CHECK(next.status() == recorded.state.status());
     CHECK(next.status().find("event echo") != std::string::npos);
 }
 

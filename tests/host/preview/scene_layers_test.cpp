@@ -36,7 +36,7 @@ struct Layers {
     bool is_written = (std::ofstream{folder / "leaping.kfast"} << leaping, true);
     std::unique_ptr<OpenedScene> scene = open_scene(folder / "leaping.kfast");
     SceneLayers layers{*scene};
-    PreviewPlayback playback{scene->programme, Pace::smooth, PreviewPlayback::Seconds{0}};
+    PreviewPlayback playback{scene->playback_setup, Pace::smooth, PreviewPlayback::Seconds{0}};
 };
 
 }

@@ -68,7 +68,7 @@ TEST_CASE("a scene of which the layers cannot be made leaves what is open whole"
     const Opener opener = [&fails](const fs::path& file) {
         auto scene = open_scene(file);
         if (fails)
-            scene->tell_drawings = [](ToldInputs&) { throw Failure("too many points"); };
+            scene->apply_drawings = [](InputReceiver&) { throw Failure("too many points"); };
         return scene;
     };
     Preview preview;

@@ -37,8 +37,8 @@ TEST_CASE("zooming closes the help and clears the notice, as keys do")
 TEST_CASE("what is told about a picture belongs to the one that is shown, kept or new, and sound goes along")
 {
     /// Tells which picture it shows, and what it accompanies.
-    struct Telling : FrameSource {
-        explicit Telling(std::vector<int>& heard) : heard_{heard} {}
+    struct RecordingSource : FrameSource {
+        explicit RecordingSource(std::vector<int>& heard) : heard_{heard} {}
         const Frame& show(Time moment) override
         {
             shown_ = moment.ticks / Time::ticks_per_frame;
@@ -57,7 +57,7 @@ TEST_CASE("what is told about a picture belongs to the one that is shown, kept o
     Preview preview;
     std::vector<int> heard;
     auto scene = open_scene(preview.folder / "lamp.kfast");
-    scene->source = std::make_unique<Telling>(heard);
+    scene->source = std::make_unique<RecordingSource>(heard);
     Viewer viewer{open_scene, std::move(scene), preview.now};
     for (const PreviewKey key : {PreviewKey::travel, PreviewKey::next_frame, PreviewKey::all_frames})
         viewer.press(key, preview.now);

@@ -74,9 +74,9 @@ TEST_CASE("layers that are taken as keys by themselves are told")
         drawing("<g inkscape:label='0'><circle r='3'/></g><g inkscape:label='12'><circle r='4'/></g>");
     const auto notes = [&](svg::LayerKeys layers) {
         art::Losses losses;
-        std::vector<std::string> told;
-        svg::read_svg({"a.svg", text}, {.layers = layers}, losses, told);
-        return told;
+        std::vector<std::string> messages;
+        svg::read_svg({"a.svg", text}, {.layers = layers}, losses, messages);
+        return messages;
     };
     CHECK(notes(svg::LayerKeys::automatic) ==
           std::vector<std::string>{"the layers \"0\", \"12\" are key drawings, by their names: "

@@ -18,7 +18,7 @@ enum { width = robot_eyes_width, height = robot_eyes_height, buffer_bytes = 24 *
 
 static SemaphoreHandle_t sent; /* the pixels are on the display */
 
-static bool tell_sent(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t* event, void* user)
+static bool notify_sent(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t* event, void* user)
 {
     BaseType_t woken = pdFALSE;
     (void)io, (void)event, (void)user;
@@ -38,7 +38,7 @@ static esp_lcd_panel_handle_t started_panel(void)
                                                  .dc_gpio_num = command_pin,
                                                  .pclk_hz = 40 * 1000 * 1000,
                                                  .trans_queue_depth = 1,
-                                                 .on_color_trans_done = tell_sent,
+                                                 .on_color_trans_done = notify_sent,
                                                  .lcd_cmd_bits = 8,
                                                  .lcd_param_bits = 8};
     const esp_lcd_panel_dev_config_t device = {.reset_gpio_num = reset_pin, .bits_per_pixel = 16};

@@ -68,7 +68,8 @@ TEST_CASE("layers that stay as they are can be kept, and taken into another pict
     expected.store().begin_layer({}, 5);
     expected.add(lower);
     CHECK(lines_of(store) == lines_of(expected.store()));
-    CHECK(told_of_all_bands(store, panel_of_layers) == told_of_all_bands(expected.store(), panel_of_layers));
+    CHECK(chains_of_all_bands(store, panel_of_layers) ==
+          chains_of_all_bands(expected.store(), panel_of_layers));
 
     store.keep({});
     CHECK(store.reuse({8, 0}, 0) == nullptr); // the picture before did not have it

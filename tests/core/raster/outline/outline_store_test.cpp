@@ -173,8 +173,8 @@ TEST_CASE("what finds no room is told, and leaves the memory around it alone")
         const std::size_t words = random() % 300;
         std::vector<std::uint32_t> memory(words + 2 * guard, mark);
         std::vector<std::uint32_t> heads(25);
-        const auto lent = std::span{memory}.subspan(guard, words);
-        raster::OutlineStore store{std::as_writable_bytes(lent), heads, small_panel, 2};
+        const auto borrowed = std::span{memory}.subspan(guard, words);
+        raster::OutlineStore store{std::as_writable_bytes(borrowed), heads, small_panel, 2};
         store.begin_layer({}, 0);
         for (const Contour& contour : contours) {
             for (const raster::Corner corner : contour)
@@ -266,10 +266,10 @@ TEST_CASE("when bands have gone through the chains, rewind() puts them back")
             CAPTURE(bits);
             outlines.store().rewind(bits);
             CHECK(lines_of(outlines.store()) == lines);
-            const auto told = told_of_all_bands(outlines.store(), small_panel);
+            const auto chains = chains_of_all_bands(outlines.store(), small_panel);
             outlines.store().rewind(bits);
             CHECK(lines_of(outlines.store()) == lines);
-            CHECK(told_of_all_bands(outlines.store(), small_panel) == told);
+            CHECK(chains_of_all_bands(outlines.store(), small_panel) == chains);
         }
     }
 }
@@ -282,7 +282,7 @@ TEST_CASE("a band has the same chains however many bands before it were passed o
         OwnedOutlines outlines{small_panel, 1 << 16, bits};
         for (int i = 0; i < 3; ++i)
             outlines.add(random_contour(random, -20, 120));
-        const auto told = told_of_all_bands(outlines.store(), small_panel);
+        const auto chains = chains_of_all_bands(outlines.store(), small_panel);
         outlines.store().rewind(bits);
         const std::vector<raster::PaintStep> steps(1);
         raster::Band band;
@@ -291,7 +291,7 @@ TEST_CASE("a band has the same chains however many bands before it were passed o
         while (band.number() < last) {
             band.advance(std::min(band.number() + 1 + static_cast<int>(random() % 5), last));
             CAPTURE(band.number());
-            CHECK(told_of(band) == told[static_cast<std::size_t>(band.number())]);
+            CHECK(chains_of(band) == chains[static_cast<std::size_t>(band.number())]);
         }
     }
 }

@@ -1,10 +1,10 @@
-#include "tests/firmware/link/staged_bench.hpp"
+#include "tests/firmware/link/playback_bench.hpp"
 
 #include <doctest/doctest.h>
 
 #include <random>
 
-/// Everything at random: whatever comes, every frame is one of a whole scene (StagedBoard), the device
+/// Everything at random: whatever comes, every frame is one of a whole scene (TestPlaybackBoard), the device
 /// answers in the end, and nothing holds the picture for ever.
 namespace kfast::test {
 
@@ -19,7 +19,7 @@ public:
     std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
     /// Sends a message now and then, and takes some answers.
-    void take_turn(StagedBench& bench)
+    void take_turn(PlaybackBench& bench)
     {
         if (below(20) == 0)
             act(bench);
@@ -30,7 +30,7 @@ public:
 private:
     std::uint8_t any_slot() { return static_cast<std::uint8_t>(below(3)); }
 
-    void act(StagedBench& bench)
+    void act(PlaybackBench& bench)
     {
         const auto which = static_cast<std::uint8_t>(1 + below(3));
         switch (below(16)) {
@@ -71,17 +71,18 @@ private:
     }
 
     /// Or a part of one.
-    void send_scene(StagedBench& bench, std::uint8_t which)
+    void send_scene(PlaybackBench& bench, std::uint8_t which)
     {
         const Scene scene = padded_scene(900 + below(4000), below(5));
-        bench.send(below(2) ? StagedBench::for_ram(scene) : StagedBench::for_slot(any_slot(), scene), which);
+        bench.send(below(2) ? PlaybackBench::for_ram(scene) : PlaybackBench::for_slot(any_slot(), scene),
+                   which);
         if (below(4) != 0)
             bench.send_blocks(scene, which);
         if (below(4) != 0)
             bench.send(Commit{}, which);
     }
 
-    void move_input(StagedBench& bench)
+    void move_input(PlaybackBench& bench)
     {
         Inputs inputs{.count = 1};
         inputs.places[0] = {.input = static_cast<std::uint8_t>(below(2)),
@@ -99,7 +100,7 @@ TEST_CASE("whatever a computer does, whole scenes are shown")
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
         RandomComputer computer{seed};
-        StagedBench bench{{}, (needed(padded_scene(4000, 1)) + 1000 + computer.below(8000)) / 4 * 4};
+        PlaybackBench bench{{}, (needed(padded_scene(4000, 1)) + 1000 + computer.below(8000)) / 4 * 4};
         bench.board.pipe.room = 4;
         bench.board.computer = [&] { computer.take_turn(bench); };
         bench.board.run_for(8000);
@@ -108,7 +109,7 @@ TEST_CASE("whatever a computer does, whole scenes are shown")
         CHECK(bench.board.pipe.to_device.empty());
         bench.board.pipe.plug_in();
         bench.board.pipe.room = 100;
-        CHECK((bench.playing().is_playing || !bench.board.stage().lent_ram().empty()));
+        CHECK((bench.playing().is_playing || !bench.board.playback().leased_ram().empty()));
         play_from_ram(bench, padded_scene(1000, 1));
         bench.board.run_for(100);
         CHECK(bench.playing().home == Home::ram);

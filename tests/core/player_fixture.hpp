@@ -25,15 +25,18 @@ inline SceneView accepted(const Bytes& file)
 }
 
 /// A player and what it borrows.
-struct Stage {
+struct PlayerFixture {
     Bytes bytes;
     SceneView scene;
     Bytes block;
     Player player;
 
-    Stage(std::string_view text, Size panel, Fit fit = Fit::contain) : Stage{compiled(text), panel, fit} {}
+    PlayerFixture(std::string_view text, Size panel, Fit fit = Fit::contain)
+        : PlayerFixture{compiled(text), panel, fit}
+    {
+    }
 
-    Stage(Bytes file, Size panel, Fit fit = Fit::contain)
+    PlayerFixture(Bytes file, Size panel, Fit fit = Fit::contain)
         : bytes{std::move(file)}, scene{accepted(bytes)},
           block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
     {

@@ -2,8 +2,8 @@
 
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/link.hpp"
+#include "firmware/link/playback_session.hpp"
 #include "firmware/link/report.hpp"
-#include "firmware/link/stage.hpp"
 #include "firmware/slots/slot_store.hpp"
 
 #include <array>
@@ -37,11 +37,11 @@ concept Pipe = requires(P& pipe, const ReportBytes& report) {
 /// Brings the reports of a pipe to a stage and the answers back: all that a board does for the link, besides
 /// drawing what the stage plays.
 template <Pipe P, Flash F>
-class Conversation {
+class LinkService {
 public:
     /// All of them must outlive the conversation. Nobody else changes the slots.
-    Conversation(P& pipe, Stage& stage, SlotStore<F>& slots)
-        : pipe_{pipe}, stage_{stage}, link_{stage, slots}, connection_{pipe.connections()}
+    LinkService(P& pipe, PlaybackSession& playback, SlotStore<F>& slots)
+        : pipe_{pipe}, playback_{playback}, link_{playback, slots}, connection_{pipe.connections()}
     {
     }
 
@@ -55,7 +55,7 @@ public:
     {
         look_at_computer();
         send_answers();
-        for (int left = max_reports; left > 0 && !stage_.is_changing(); --left) {
+        for (int left = max_reports; left > 0 && !playback_.is_changing(); --left) {
             const auto report = pipe_.take();
             if (!report)
                 break;
@@ -63,7 +63,7 @@ public:
             link_.hear(now());
             send_answers();
         }
-        if (!stage_.is_changing())
+        if (!playback_.is_changing())
             link_.pass(now());
         send_answers();
     }
@@ -97,8 +97,8 @@ private:
     }
 
     P& pipe_;
-    Stage& stage_;
-    Link<Stage, F> link_;
+    PlaybackSession& playback_;
+    Link<PlaybackSession, F> link_;
     std::optional<Report> unsent_; ///< for which the pipe had no room
     bool was_there_ = false;
     std::uint32_t connection_;

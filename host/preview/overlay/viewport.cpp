@@ -1,4 +1,4 @@
-#include "host/preview/overlay/stage.hpp"
+#include "host/preview/overlay/viewport.hpp"
 
 #include "host/beam/beam_screen.hpp"
 
@@ -11,9 +11,9 @@ double pixels(Fixed length) { return static_cast<double>(length.raw()) / Fixed::
 
 }
 
-Size Stage::posed_panel() const { return is_beam ? Size{field_pixels, field_pixels} : panel; }
+Size Viewport::posed_panel() const { return is_beam ? Size{field_pixels, field_pixels} : panel; }
 
-PanelSpot Stage::spot(Point posed) const
+PanelSpot Viewport::spot(Point posed) const
 {
     const PanelSpot at{pixels(posed.x), pixels(posed.y)};
     if (!is_beam)

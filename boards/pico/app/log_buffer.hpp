@@ -18,7 +18,7 @@ public:
     }
 
     /// Whether take() has a letter to give.
-    bool has_more() const { return sent_ != told_; }
+    bool has_more() const { return sent_ != line_end_; }
 
     char take()
     {
@@ -43,16 +43,16 @@ private:
     void end_line()
     {
         if (is_short_)
-            written_ = told_;
-        told_ = written_;
+            written_ = line_end_;
+        line_end_ = written_;
         is_short_ = false;
     }
 
     std::array<char, room + 1> letters_{};
-    std::size_t sent_ = 0;    ///< the next to be sent
-    std::size_t told_ = 0;    ///< the end of the last line
-    std::size_t written_ = 0; ///< the end of what was written
-    bool is_short_ = false;   ///< the line that is being written has lost letters
+    std::size_t sent_ = 0;     ///< the next to be sent
+    std::size_t line_end_ = 0; ///< the end of the last line
+    std::size_t written_ = 0;  ///< the end of what was written
+    bool is_short_ = false;    ///< the line that is being written has lost letters
 };
 
 }

@@ -22,21 +22,21 @@
 
 namespace kfast::link {
 
-struct StageFacts;
+struct BoardFacts;
 
 /// What a player for a panel of that size takes of the block.
-std::size_t panel_player_bytes(const SceneView& scene, const StageFacts& facts);
+std::size_t panel_player_bytes(const SceneView& scene, const BoardFacts& facts);
 /// What a player for the beam of the settings takes.
-std::size_t beam_player_bytes(const SceneView& scene, const StageFacts& facts);
+std::size_t beam_player_bytes(const SceneView& scene, const BoardFacts& facts);
 
 /// What a board brings along for its stage. What is referred to outlives it.
-struct StageFacts {
+struct BoardFacts {
     const BoardSettings& settings;
     StoredText<24> serial{}; ///< unique to the chip
     StoredText<24> board{};  ///< its name
     StoredText<24> panel{};  ///< likewise
     Size panel_size{};       ///< empty: there is no display that works; of a beam its resolution, both ways
-    std::size_t (*player_bytes)(const SceneView&, const StageFacts&) = panel_player_bytes;
+    std::size_t (*player_bytes)(const SceneView&, const BoardFacts&) = panel_player_bytes;
     std::span<std::byte> block{};          ///< lent to the player, aligned to 4
     std::span<const std::byte> built_in{}; ///< where a scene may lie, perhaps with more bytes behind it
     bool is_dimmable = false;              ///< the display has a brightness
@@ -46,16 +46,16 @@ struct StageFacts {
 };
 
 /// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs have
-/// it: what a device is that is the same on every board. The board asks it between frames, and run_stage()
+/// it: what a device is that is the same on every board. The board asks it between frames, and run_scenes()
 /// lets what plays change there and nowhere else.
 ///
 /// A scene in RAM lies at the end of the player's block, in what the scene that plays does not need. Where it
 /// needs too much, it gives way: the picture holds until the new scene plays. At most half of the block is
 /// lent.
-class Stage {
+class PlaybackSession {
 public:
     /// At first the built-in scene plays, whatever it is.
-    explicit Stage(const StageFacts& facts);
+    explicit PlaybackSession(const BoardFacts& facts);
 
     // What Link wants of its device (device.hpp).
     DeviceFacts facts() const;
@@ -67,12 +67,12 @@ public:
     InputState input(std::uint8_t number) const;
     std::span<const std::byte> played() const;
     std::span<const std::byte> built_in() const { return facts_.built_in; }
-    Status play(const Programme& programme, const SceneView& scene);
+    Status play(const SceneSelection& selection, const SceneView& scene);
     void play_nothing();
-    std::span<std::byte> lend_ram(std::uint32_t size);
-    std::span<std::byte> lent_ram() const { return lent_; }
-    void end_loan();
-    bool is_idle() const { return now_.holds && lent_.empty() && !is_changing() && !gave_way_; }
+    std::span<std::byte> lease_ram(std::uint32_t size);
+    std::span<std::byte> leased_ram() const { return leased_; }
+    void end_lease();
+    bool is_idle() const { return now_.holds && leased_.empty() && !is_changing() && !gave_way_; }
     void pause();
     void resume();
     void seek(Time time);
@@ -83,7 +83,7 @@ public:
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
     Status set_text(std::uint32_t number, std::string_view text);
-    Status tell(const DrawingPart& part);
+    Status deliver(const DrawingPart& part);
     Status enter_boot_loader(Microseconds now);
 
     /// Whether something else shall play as soon as the frame has come to its end. Until then no reports are
@@ -95,7 +95,7 @@ public:
     bool begin();
 
     // What the run loop asks of a board (firmware/run/board.hpp), after begin().
-    std::span<const std::byte> scene_bytes() const { return now_.programme.scene; }
+    std::span<const std::byte> scene_bytes() const { return now_.selection.scene; }
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);
     /// Null when it is over.
@@ -127,8 +127,8 @@ public:
     bool is_to_leave(Microseconds now) const { return leaves_ && reached(now, *leaves_); }
 
 private:
-    struct Act {
-        Programme programme;
+    struct PlaybackItem {
+        SceneSelection selection;
         std::optional<SceneView>
             scene;          ///< of the programme; none if it is not known yet, or cannot be played
         bool holds = false; ///< there is no programme, and the picture stays as it is
@@ -138,11 +138,11 @@ private:
     std::size_t block_bytes(const SceneView& scene) const;
     std::size_t offset_in_block(std::span<const std::byte> bytes) const;
     std::optional<std::size_t> place_in_block(std::size_t bytes) const;
-    void lend(std::uint32_t size);
+    void lease(std::uint32_t size);
     void give_way();
-    Act built_in_act() const;
-    void change(const Act& act);
-    void bring_on(const Act& act);
+    PlaybackItem built_in_item() const;
+    void change(const PlaybackItem& item);
+    void set_current(const PlaybackItem& item);
     void set_up_controls();
     void steered(const Playhead& playhead);
     void obey_arming();
@@ -150,15 +150,15 @@ private:
     void set_armed(bool is_armed);
     Time place_of(std::uint32_t number, const InputView& input) const;
 
-    StageFacts facts_;
-    Act now_;
-    bool is_new_ = true;               ///< what plays now has not begun
-    bool is_drawn_ = false;            ///< frames of it are under way
-    std::optional<Act> next_;          ///< if what plays now is drawn
-    std::optional<Act> gave_way_;      ///< plays again if what it gave way to does not come
-    std::span<std::byte> lent_{};      ///< of the block
-    std::optional<Controls> controls_; ///< of what plays now, or played last
-    SceneState* player_ = nullptr;     ///< likewise, as long as it draws
+    BoardFacts facts_;
+    PlaybackItem now_;
+    bool is_new_ = true;                   ///< what plays now has not begun
+    bool is_drawn_ = false;                ///< frames of it are under way
+    std::optional<PlaybackItem> next_;     ///< if what plays now is drawn
+    std::optional<PlaybackItem> gave_way_; ///< plays again if what it gave way to does not come
+    std::span<std::byte> leased_{};        ///< of the block
+    std::optional<Controls> controls_;     ///< of what plays now, or played last
+    SceneState* player_ = nullptr;         ///< likewise, as long as it draws
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last
@@ -172,6 +172,6 @@ private:
     bool is_armed_by_computer_ = false;
 };
 
-static_assert(Device<Stage>);
+static_assert(Device<PlaybackSession>);
 
 }

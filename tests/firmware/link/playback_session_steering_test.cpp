@@ -1,11 +1,11 @@
 #include "host/compiler/write/header.hpp"
 #include "tests/compiled.hpp"
-#include "tests/firmware/link/staged_bench.hpp"
+#include "tests/firmware/link/playback_bench.hpp"
 #include "tests/firmware/settings/control_settings.hpp"
 
 #include <doctest/doctest.h>
 
-/// Computer, buttons and knobs steer what plays. StagedBoard checks every frame.
+/// Computer, buttons and knobs steer what plays. TestPlaybackBoard checks every frame.
 namespace kfast::test {
 
 using namespace link;
@@ -18,7 +18,7 @@ constexpr std::uint8_t tag = 42;
 
 TEST_CASE("the computer steers what plays")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(300);
     bench.does(Seek{.moment = Time::frame(30)});
     CHECK(bench.playing().moment == Time::frame(30));
@@ -42,7 +42,7 @@ TEST_CASE("the computer steers what plays")
 
     bench.does(Brightness{.brightness = 7});
     CHECK(bench.playing().brightness == 7);
-    CHECK(bench.board.stage().brightness() == 7);
+    CHECK(bench.board.playback().brightness() == 7);
 
     bench.does(Play{.home = Home::here, .clip = {"rise"}});
     bench.board.run_for(200);
@@ -56,7 +56,7 @@ TEST_CASE("the computer steers what plays")
 
 TEST_CASE("inputs stand where the computer says, and it is told where")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(200);
     auto gaze = bench.ask<InputState>(AskInput{.input = 0});
     CHECK(gaze.name.view() == "gaze");
@@ -79,7 +79,7 @@ TEST_CASE("inputs stand where the computer says, and it is told where")
 
 TEST_CASE("a long name of an input is told as far as its letters find room")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.built_in =
         compiled("kfast 1\ncanvas 8 8\ninput \"12345678901234567890123\u00e9x\" min=0 max=1\n"
                  "group g { track x input=\"12345678901234567890123\u00e9x\" { at 0 0; at 1 9 }\n"
@@ -93,9 +93,9 @@ TEST_CASE("of the computer and a knob, the one that moved last has its way")
     constexpr Pin gaze = 26;
     constexpr Pin light = 27;
     constexpr Pin speed = 28;
-    StagedBench bench{settings_with({{ControlKind::knob, ControlAction::input, gaze, {"gaze"}},
-                                     {ControlKind::knob, ControlAction::brightness, light, {}},
-                                     {ControlKind::knob, ControlAction::speed, speed, {}}})};
+    PlaybackBench bench{settings_with({{ControlKind::knob, ControlAction::input, gaze, {"gaze"}},
+                                       {ControlKind::knob, ControlAction::brightness, light, {}},
+                                       {ControlKind::knob, ControlAction::speed, speed, {}}})};
     auto& levels = bench.board.pins.levels;
     levels = {{gaze, 4095}, {light, 1600}, {speed, 2048}};
     const auto place = [&] { return bench.ask<InputState>(AskInput{.input = 0}).place.ticks; };
@@ -134,9 +134,9 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
     constexpr Pin pause = 2;
     constexpr Pin rise = 3;
     constexpr Pin lid = 4;
-    StagedBench bench{settings_with({{ControlKind::button, ControlAction::pause, pause, {}},
-                                     {ControlKind::button, ControlAction::play, rise, {"rise"}},
-                                     {ControlKind::button, ControlAction::input, lid, {"lid"}}})};
+    PlaybackBench bench{settings_with({{ControlKind::button, ControlAction::pause, pause, {}},
+                                       {ControlKind::button, ControlAction::play, rise, {"rise"}},
+                                       {ControlKind::button, ControlAction::input, lid, {"lid"}}})};
     const auto press = [&](Pin pin) {
         bench.board.pins.closed[pin] = true;
         bench.board.run_for(120);
@@ -170,7 +170,7 @@ TEST_CASE("of the computer and a button, the one that moved last has its way")
 TEST_CASE("a display that a button has switched off wakes at once, however slow its scene is")
 {
     constexpr Pin sleep = 5;
-    StagedBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    PlaybackBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
     bench.board.run_for(300);
     play_from_ram(bench, compiled("kfast 1\ncanvas 64 48 fps=1 frames=3\n"
                                   "object sun fill=yellow { circle 10 24 r=8 }\n"));
@@ -185,7 +185,7 @@ TEST_CASE("a display that a button has switched off wakes at once, however slow 
 TEST_CASE("what the computer plays wakes a display that a button has switched off")
 {
     constexpr Pin sleep = 5;
-    StagedBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
+    PlaybackBench bench{settings_with({{ControlKind::button, ControlAction::sleep, sleep, {}}})};
     bench.board.run_for(300);
     bench.board.pins.closed[sleep] = true; // and stays so
     bench.board.run_for(200);
@@ -201,7 +201,7 @@ TEST_CASE("what the computer plays wakes a display that a button has switched of
 
 TEST_CASE("when the computer goes, what it asked for is done at once")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     play_from_ram(bench, padded_scene(2000, 1));
     bench.does(Silence{.milliseconds = 60'000, .action = SilenceAction::start});
     bench.board.run_for(100);
@@ -215,13 +215,13 @@ TEST_CASE("when the computer goes, what it asked for is done at once")
 
 TEST_CASE("a device that works long does not take that for silence")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.does(Silence{.milliseconds = 100, .action = SilenceAction::hold});
     bench.board.flash_time = Microseconds{25'000};
     const Scene scene = padded_scene(4096 * 2, 1);
-    bench.upload(StagedBench::for_slot(0, scene), scene, tag);
+    bench.upload(PlaybackBench::for_slot(0, scene), scene, tag);
     CHECK_FALSE(bench.playing().is_paused);
-    bench.begin(StagedBench::for_slot(1, padded_scene(4096, 2)), 43);
+    bench.begin(PlaybackBench::for_slot(1, padded_scene(4096, 2)), 43);
     bench.send_blocks(padded_scene(4096, 2), 43);
     bench.board.run_for(150); // with a sector to write at the end
     CHECK_FALSE(bench.playing().is_paused);
@@ -231,10 +231,10 @@ TEST_CASE("a device that works long does not take that for silence")
 
 TEST_CASE("what is asked for after a scene was told to play is about that scene")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(300);
     const Scene scene = padded_scene(2000, 1);
-    bench.upload(StagedBench::for_ram(scene), scene, tag);
+    bench.upload(PlaybackBench::for_ram(scene), scene, tag);
     bench.send(Play{.home = Home::ram}, 1);
     Inputs inputs{.count = 1};
     inputs.places[0] = {.input = 0, .place = Time{5}};
@@ -247,7 +247,7 @@ TEST_CASE("what is asked for after a scene was told to play is about that scene"
 
 TEST_CASE("a new computer gets no answers of the old one")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.pipe.room = 0;
     for (std::uint8_t asked = 1; asked < 8; ++asked)
         bench.send(AskPlaying{}, asked);
@@ -260,16 +260,16 @@ TEST_CASE("a new computer gets no answers of the old one")
 
 TEST_CASE("the boot loader is entered when the answer has gone out")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.does(EnterBootLoader{});
-    CHECK_FALSE(bench.board.stage().is_to_leave(bench.board.now()));
+    CHECK_FALSE(bench.board.playback().is_to_leave(bench.board.now()));
     bench.board.run_for(100);
-    CHECK(bench.board.stage().is_to_leave(bench.board.now()));
+    CHECK(bench.board.playback().is_to_leave(bench.board.now()));
 }
 
 TEST_CASE("frames are counted")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(1000);
     const auto statistics = bench.ask<Statistics>(AskStatistics{});
     CHECK(statistics.frames == bench.board.frames.size());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/link/upload_message.hpp"
-#include "tests/firmware/link/staged_board.hpp"
+#include "tests/firmware/link/test_playback_board.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,9 @@
 namespace kfast::test {
 
 /// A computer that asks a staged board, with time going on meanwhile.
-class StagedBench {
+class PlaybackBench {
 public:
-    explicit StagedBench(const BoardSettings& settings = {}, std::size_t block_bytes = 40'000)
+    explicit PlaybackBench(const BoardSettings& settings = {}, std::size_t block_bytes = 40'000)
         : board{settings, block_bytes}
     {
         board.pipe.plug_in();
@@ -53,7 +53,7 @@ public:
         ask<link::Done<M::kind>>(message, tag);
     }
     template <class M>
-    Verdict refusal(const M& message, std::uint8_t tag = 9)
+    StatusWithNumber refusal(const M& message, std::uint8_t tag = 9)
     {
         const auto failure = ask<link::Failure>(message, tag);
         return {failure.status, failure.number};
@@ -86,7 +86,7 @@ public:
         return {link::Home::slot, slot, static_cast<std::uint32_t>(scene.size()), crc_of(scene), {"scene"}};
     }
 
-    StagedBoard board;
+    TestPlaybackBoard board;
 };
 
 /// The memory that a player of `scene` takes.
@@ -102,9 +102,9 @@ inline bool is_scene(const Scene& begun, const Scene& sent)
 }
 
 /// Plays `scene` from RAM.
-inline void play_from_ram(StagedBench& bench, const Scene& scene, std::uint8_t tag = 42)
+inline void play_from_ram(PlaybackBench& bench, const Scene& scene, std::uint8_t tag = 42)
 {
-    bench.upload(StagedBench::for_ram(scene), scene, tag);
+    bench.upload(PlaybackBench::for_ram(scene), scene, tag);
     bench.does(link::Play{.home = link::Home::ram});
 }
 

@@ -1,12 +1,12 @@
 #include "tests/compiled.hpp"
-#include "tests/firmware/link/staged_bench.hpp"
+#include "tests/firmware/link/playback_bench.hpp"
 
 #include <array>
 #include <doctest/doctest.h>
 #include <functional>
 #include <string>
 
-/// What plays and what is sent share the block of a board. StagedBoard checks every frame.
+/// What plays and what is sent share the block of a board. TestPlaybackBoard checks every frame.
 namespace kfast::test {
 
 using namespace link;
@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint8_t tag = 42;
 
 /// A block in which one scene finds room, with its player, and not two.
-struct TightBench : StagedBench {
+struct TightBench : PlaybackBench {
     Scene first = padded_scene(4000, 1);
     Scene second = padded_scene(4000, 2);
 
-    TightBench() : StagedBench{{}, (needed(padded_scene(4000, 1)) + 7000) / 4 * 4} {}
+    TightBench() : PlaybackBench{{}, (needed(padded_scene(4000, 1)) + 7000) / 4 * 4} {}
 
     std::size_t frames() const { return board.frames.size(); }
     /// Whether frames are drawn.
@@ -39,7 +39,7 @@ TEST_CASE("what plays from RAM gives way to another scene, and the picture holds
     TightBench bench;
     play_from_ram(bench, bench.first);
     CHECK(bench.plays());
-    bench.begin(StagedBench::for_ram(bench.second), 43);
+    bench.begin(PlaybackBench::for_ram(bench.second), 43);
     CHECK_FALSE(bench.plays());
     CHECK_FALSE(bench.playing().is_playing);
     bench.send_blocks(bench.second, 43);
@@ -54,7 +54,7 @@ TEST_CASE("when nothing comes of it the scene of the start plays")
     for (const bool is_cancelled : {false, true}) {
         TightBench bench;
         play_from_ram(bench, bench.first);
-        bench.begin(StagedBench::for_ram(bench.second), 43);
+        bench.begin(PlaybackBench::for_ram(bench.second), 43);
         CHECK_FALSE(bench.plays());
         if (is_cancelled)
             bench.does(Cancel{}, 43);
@@ -71,12 +71,12 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
 {
     const Scene scene = padded_scene(4000, 1);
     for (const bool is_unplugged : {false, true}) {
-        StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+        PlaybackBench bench{{}, (needed(scene) + 1000) / 4 * 4};
         REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
         bench.does(Play{.home = Home::slot, .slot = 5});
         bench.board.run_for(100);
         const Scene small = padded_scene(1024, 4);
-        bench.begin(StagedBench::for_ram(small), tag);
+        bench.begin(PlaybackBench::for_ram(small), tag);
         bench.board.run_for(100);
         CHECK_FALSE(bench.playing().is_playing);
         if (is_unplugged) {
@@ -84,7 +84,7 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
         } else { // which is accepted, but needs more than is left
             bench.send_blocks(small, tag);
             bench.does(Commit{}, tag);
-            CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::block_too_small});
+            CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::block_too_small});
         }
         bench.board.run_for(100);
         CHECK(bench.playing().slot == 5);
@@ -95,22 +95,23 @@ TEST_CASE("a scene from flash that needs all memory gives way, and plays again i
 TEST_CASE("what gave way to a scene in RAM that nobody plays, plays again")
 {
     const Scene scene = padded_scene(4000, 1);
-    const std::array<std::function<void(StagedBench&)>, 4> ways{
-        [](StagedBench& bench) { bench.does(Cancel{}, tag); },
-        [](StagedBench& bench) { bench.board.pipe.plug_in(); },
-        [](StagedBench& bench) { bench.board.run_for(4'000); },
-        [](StagedBench& bench) {
-            CHECK(bench.refusal(Play{.home = Home::ram, .clip = {"none"}}) == Verdict{Status::no_such_clip});
+    const std::array<std::function<void(PlaybackBench&)>, 4> ways{
+        [](PlaybackBench& bench) { bench.does(Cancel{}, tag); },
+        [](PlaybackBench& bench) { bench.board.pipe.plug_in(); },
+        [](PlaybackBench& bench) { bench.board.run_for(4'000); },
+        [](PlaybackBench& bench) {
+            CHECK(bench.refusal(Play{.home = Home::ram, .clip = {"none"}}) ==
+                  StatusWithNumber{Status::no_such_clip});
             bench.does(Cancel{}, tag);
         },
     };
     for (const auto& go_away : ways) {
-        StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+        PlaybackBench bench{{}, (needed(scene) + 1000) / 4 * 4};
         REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
         bench.does(Play{.home = Home::slot, .slot = 5});
         bench.board.run_for(100);
         const Scene small = padded_scene(1024, 4);
-        bench.upload(StagedBench::for_ram(small), small, tag);
+        bench.upload(PlaybackBench::for_ram(small), small, tag);
         bench.board.run_for(1'000);
         CHECK_FALSE(bench.playing().is_playing);
         go_away(bench);
@@ -123,15 +124,15 @@ TEST_CASE("what gave way to a scene in RAM that nobody plays, plays again")
 TEST_CASE("a scene from flash that gave way is not written over, whatever becomes of its slot")
 {
     const Scene scene = padded_scene(4000, 1);
-    StagedBench bench{{}, (needed(scene) + 1000) / 4 * 4};
+    PlaybackBench bench{{}, (needed(scene) + 1000) / 4 * 4};
     REQUIRE(put(bench.board.slots, 5, "eyes", scene) == Status::ok);
     REQUIRE(put(bench.board.slots, 0, "all the rest", padded_scene((pool_sectors - 1) * sector_bytes, 2)) ==
             Status::ok);
     bench.does(Play{.home = Home::slot, .slot = 5});
     bench.board.run_for(300);
-    bench.begin(StagedBench::for_ram(padded_scene(1024, 4)), tag);
+    bench.begin(PlaybackBench::for_ram(padded_scene(1024, 4)), tag);
     bench.does(EraseSlot{.slot = 5});
-    CHECK(bench.refusal(StagedBench::for_slot(1, scene), 43) == Verdict{Status::no_room, 0});
+    CHECK(bench.refusal(PlaybackBench::for_slot(1, scene), 43) == StatusWithNumber{Status::no_room, 0});
     bench.board.run_for(200);
     CHECK(bench.playing().slot == 5);
 }
@@ -145,16 +146,16 @@ TEST_CASE("a scene from flash has the whole block, whatever lies in RAM")
         return circles;
     }() + "}");
     const std::size_t block = (needed(large) + 3) / 4 * 4;
-    StagedBench bench{{}, block};
+    PlaybackBench bench{{}, block};
     bench.board.run_for(300);
     REQUIRE(put(bench.board.slots, 0, "large", large) == Status::ok);
     const Scene small = padded_scene(2000, 1);
     REQUIRE(needed(small) + 2000 < block);
-    bench.upload(StagedBench::for_ram(small), small, tag);
+    bench.upload(PlaybackBench::for_ram(small), small, tag);
     bench.does(Play{.home = Home::slot, .slot = 0});
     bench.board.run_for(100);
     CHECK(is_scene(bench.board.scene_begun(), large));
-    CHECK(bench.refusal(Play{.home = Home::ram}) == Verdict{Status::nothing_in_ram});
+    CHECK(bench.refusal(Play{.home = Home::ram}) == StatusWithNumber{Status::nothing_in_ram});
     CHECK(bench.playing().slot == 0);
 }
 

@@ -1,10 +1,10 @@
-#include "boards/pico/stage/log.hpp"
+#include "boards/pico/app/log.hpp"
 
+#include "boards/pico/app/log_buffer.hpp"
 #include "boards/pico/chip/clocks.hpp"
 #include "boards/pico/chip/interrupts.hpp"
 #include "boards/pico/chip/pins.hpp"
 #include "boards/pico/chip/resets.hpp"
-#include "boards/pico/stage/log_buffer.hpp"
 #include "firmware/serial/pl011.hpp"
 #include "firmware/settings/rp2040_pins.hpp"
 

@@ -1,6 +1,6 @@
-#include "boards/pico/stage/report.hpp"
+#include "boards/pico/app/report.hpp"
 
-#include "boards/pico/stage/log.hpp"
+#include "boards/pico/app/log.hpp"
 #include "core/bytes/result.hpp"
 #include "firmware/version.hpp"
 

@@ -10,9 +10,9 @@
 namespace kfast {
 
 /// The inputs of a scene that is shown somewhere: each member as the one of Player.
-class ToldInputs {
+class InputReceiver {
 public:
-    virtual ~ToldInputs() = default;
+    virtual ~InputReceiver() = default;
 
     virtual void set_input(std::uint32_t number, Time place) = 0;
     virtual bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) = 0;

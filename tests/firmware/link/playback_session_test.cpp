@@ -1,9 +1,9 @@
 #include "tests/compiled.hpp"
-#include "tests/firmware/link/staged_bench.hpp"
+#include "tests/firmware/link/playback_bench.hpp"
 
 #include <doctest/doctest.h>
 
-/// What plays on a board, seen through its link and on its display. StagedBoard checks every frame.
+/// What plays on a board, seen through its link and on its display. TestPlaybackBoard checks every frame.
 namespace kfast::test {
 
 using namespace link;
@@ -16,7 +16,7 @@ constexpr std::uint8_t tag = 42;
 
 TEST_CASE("a board plays its built-in scene and tells so")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(500);
     const Playing playing = bench.playing();
     CHECK(playing.is_playing);
@@ -40,7 +40,7 @@ TEST_CASE("a board plays its built-in scene and tells so")
 
 TEST_CASE("a board answers while its panel begins")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.send(AskPlaying{}, 1);
     bench.board.run_for(50);
     REQUIRE(bench.board.pipe.to_computer.size() == 1);
@@ -52,7 +52,7 @@ TEST_CASE("the chosen slot plays at the start, and the built-in scene if it cann
 {
     const Scene scene = padded_scene(3000, 1);
     for (const bool is_damaged : {false, true}) {
-        StagedBench bench;
+        PlaybackBench bench;
         REQUIRE(put(bench.board.slots, 2, "eyes", scene) == Status::ok);
         REQUIRE(bench.board.slots.choose(2) == Status::ok);
         if (is_damaged)
@@ -66,13 +66,13 @@ TEST_CASE("the chosen slot plays at the start, and the built-in scene if it cann
 
 TEST_CASE("a board without a scene shows a card, and can be talked to")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.built_in.assign(2000, std::byte{0xFF});
     bench.board.run_for(300);
     CHECK(bench.board.faults == std::vector{Error::bad_magic});
     CHECK_FALSE(bench.playing().is_playing);
-    CHECK(bench.refusal(AskInput{}) == Verdict{Status::nothing_plays});
-    CHECK(bench.refusal(Play{.home = Home::built_in}) == Verdict{Status::no_scene});
+    CHECK(bench.refusal(AskInput{}) == StatusWithNumber{Status::nothing_plays});
+    CHECK(bench.refusal(Play{.home = Home::built_in}) == StatusWithNumber{Status::no_scene});
     bench.does(Play{.home = Home::start});
     bench.board.run_for(100);
     CHECK_FALSE(bench.playing().is_playing);
@@ -90,12 +90,12 @@ TEST_CASE("a board without a scene shows a card, and can be talked to")
 
 TEST_CASE("a scene in RAM plays within a tenth of a second, on a panel that is not begun again")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.built_in =
         compiled("kfast 1\ncanvas 8 8 fps=1 frames=60\nobject a fill=white { rect 1 1 4 4 }");
     bench.board.run_for(1500);
     const Scene scene = padded_scene(2048, 1);
-    bench.upload(StagedBench::for_ram(scene), scene, tag);
+    bench.upload(PlaybackBench::for_ram(scene), scene, tag);
     const Microseconds asked = bench.board.now();
     bench.does(Play{.home = Home::ram});
     bench.board.run_for(20);
@@ -106,13 +106,13 @@ TEST_CASE("a scene in RAM plays within a tenth of a second, on a panel that is n
 
 TEST_CASE("scenes in RAM follow one another, and the old one plays until the new one does")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(300);
     for (std::uint32_t seed = 1; seed < 12; ++seed) {
         const Scene scene = padded_scene(1500 + seed * 177, seed);
         const int begun = bench.board.scenes_begun;
         const std::size_t frames = bench.board.frames.size();
-        bench.upload(StagedBench::for_ram(scene), scene, static_cast<std::uint8_t>(seed));
+        bench.upload(PlaybackBench::for_ram(scene), scene, static_cast<std::uint8_t>(seed));
         bench.board.run_for(100);
         CHECK(bench.board.frames.size() > frames);
         CHECK(bench.board.scenes_begun == begun);
@@ -124,7 +124,7 @@ TEST_CASE("scenes in RAM follow one another, and the old one plays until the new
 
 TEST_CASE("a scene in RAM that plays stays when its upload is cancelled, and after a while")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     const Scene scene = padded_scene(2000, 1);
     play_from_ram(bench, scene);
     bench.does(Cancel{}, tag);
@@ -138,16 +138,16 @@ TEST_CASE("a scene in RAM that plays stays when its upload is cancelled, and aft
 
 TEST_CASE("playing from a slot goes on while the slot is replaced")
 {
-    StagedBench bench;
+    PlaybackBench bench;
     bench.board.run_for(300);
     const Scene first = padded_scene(9000, 1);
-    bench.upload(StagedBench::for_slot(1, first), first, tag);
+    bench.upload(PlaybackBench::for_slot(1, first), first, tag);
     bench.does(Play{.home = Home::slot, .slot = 1});
     bench.board.run_for(100);
     bench.board.flash_time = Microseconds{5'000};
     for (std::uint32_t seed = 2; seed < 8; ++seed) {
         const Scene next = padded_scene(9000 + seed, seed);
-        bench.upload(StagedBench::for_slot(1, next), next, static_cast<std::uint8_t>(seed));
+        bench.upload(PlaybackBench::for_slot(1, next), next, static_cast<std::uint8_t>(seed));
         CHECK(is_scene(bench.board.scene_begun(), first));
     }
     CHECK(bench.ask<Statistics>(AskStatistics{}).late > 0);

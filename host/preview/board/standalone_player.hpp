@@ -1,21 +1,21 @@
 #pragma once
 
 #include "core/player.hpp"
-#include "host/picture/told_inputs.hpp"
+#include "host/picture/input_receiver.hpp"
 #include "host/player/word_block.hpp"
 
 namespace kfast {
 
 /// A player in memory of its own, to be told what the scene takes from outside.
-class ToldPlayer : public ToldInputs {
+class StandalonePlayer : public InputReceiver {
 public:
     /// `scene`'s bytes must outlive it.
-    ToldPlayer(const SceneView& scene, Size panel, Fit fit)
+    StandalonePlayer(const SceneView& scene, Size panel, Fit fit)
         : block_{Player::block_bytes(scene, panel)}, player_{
                                                          *Player::create(scene, panel, fit, block_.bytes())}
     {
     }
-    ToldPlayer(const ToldPlayer&) = delete;
+    StandalonePlayer(const StandalonePlayer&) = delete;
 
     Player& player() { return player_; }
 

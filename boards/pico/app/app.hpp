@@ -1,12 +1,12 @@
 #pragma once
 
+#include "boards/pico/app/fault_light.hpp"
+#include "boards/pico/app/log.hpp"
+#include "boards/pico/app/report.hpp"
+#include "boards/pico/app/settings.hpp"
 #include "boards/pico/chip/clocks.hpp"
 #include "boards/pico/chip/led.hpp"
 #include "boards/pico/chip/watchdog.hpp"
-#include "boards/pico/stage/fault_light.hpp"
-#include "boards/pico/stage/log.hpp"
-#include "boards/pico/stage/report.hpp"
-#include "boards/pico/stage/settings.hpp"
 #include "boards/pico/usb/computer.hpp"
 #include "boards/pico/usb/usb_reports.hpp"
 
@@ -17,9 +17,9 @@ namespace kfast::pico {
 /// The life of a Pico whose display (panel_display.hpp, beam_display.hpp) hangs on wires of the kind
 /// `bus_kind`: main() of an image.
 template <class Display, BusKind bus_kind>
-class Gadget {
+class App {
 public:
-    [[noreturn]] void live()
+    [[noreturn]] void run()
     {
         if (settings_)
             Display::make_safe(*settings_);
@@ -29,13 +29,13 @@ public:
         clock_.begin();
         usb_reports.begin();
         if (settings_) // else any pin may be wired to anything
-            live_by(*settings_);
+            run_with(*settings_);
         computer_.begin_without_display();
         blink();
     }
 
 private:
-    void live_by(const BoardSettings& settings)
+    void run_with(const BoardSettings& settings)
     {
         log.begin(settings.pin(PinRole::log));
         report::begun(settings);

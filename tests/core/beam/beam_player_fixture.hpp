@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_player.hpp"
-#include "tests/core/stage.hpp"
+#include "tests/core/player_fixture.hpp"
 
 #include <array>
 #include <string_view>
@@ -11,19 +11,19 @@
 namespace kfast::test {
 
 /// A player for a beam and what it borrows.
-struct BeamStage {
+struct BeamPlayerFixture {
     Bytes bytes;
     SceneView scene;
     Bytes block;
     BeamPlayer player;
 
-    explicit BeamStage(std::string_view text, const BeamProfile& profile = scope_profile,
-                       std::uint32_t budget = 100'000)
-        : BeamStage{compiled(text), profile, budget}
+    explicit BeamPlayerFixture(std::string_view text, const BeamProfile& profile = scope_profile,
+                               std::uint32_t budget = 100'000)
+        : BeamPlayerFixture{compiled(text), profile, budget}
     {
     }
 
-    BeamStage(Bytes file, const BeamProfile& profile, std::uint32_t budget)
+    BeamPlayerFixture(Bytes file, const BeamProfile& profile, std::uint32_t budget)
         : bytes{std::move(file)}, scene{accepted(bytes)},
           block(BeamPlayer::block_bytes(scene, profile)), player{*BeamPlayer::create(scene, profile, budget,
                                                                                      block)}

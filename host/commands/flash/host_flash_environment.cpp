@@ -1,4 +1,4 @@
-#include "host/commands/flash/workbench.hpp"
+#include "host/commands/flash/flash_environment.hpp"
 
 #include "host/link/hid_pipe.hpp"
 #include "host/program/interruption.hpp"
@@ -8,7 +8,7 @@
 namespace kfast {
 namespace {
 
-class ThisWorkbench final : public Workbench {
+class HostFlashEnvironment final : public FlashEnvironment {
 public:
     std::vector<BootBoard> boards_in_boot_loader() override { return kfast::boards_in_boot_loader(); }
     std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board) override
@@ -25,9 +25,9 @@ public:
     std::vector<Uf2Drive> uf2_drives() override { return kfast::uf2_drives(); }
     Uf2Drive uf2_drive_at(const std::string& folder) override { return kfast::uf2_drive_at(folder); }
     void copy_to_drive(const Uf2Drive& drive, const FlashImage& image,
-                       const FlashProgressCallback& tell) override
+                       const FlashProgressCallback& on_progress) override
     {
-        kfast::copy_to_drive(drive, image, tell);
+        kfast::copy_to_drive(drive, image, on_progress);
     }
 
     void enter_boot_loader(const BootLines& lines) override { kfast::enter_boot_loader(lines); }
@@ -43,6 +43,9 @@ public:
 
 }
 
-std::unique_ptr<Workbench> this_workbench() { return std::make_unique<ThisWorkbench>(); }
+std::unique_ptr<FlashEnvironment> host_flash_environment()
+{
+    return std::make_unique<HostFlashEnvironment>();
+}
 
 }

@@ -1,4 +1,4 @@
-#include "host/preview/playback/programme.hpp"
+#include "host/preview/playback/playback_setup.hpp"
 
 #include "host/preview/playback/key_times.hpp"
 
@@ -23,7 +23,7 @@ std::vector<InputKnob> inputs_of(const SceneView& scene)
 
 }
 
-Programme programme_of(const SceneView& scene)
+PlaybackSetup playback_setup_of(const SceneView& scene)
 {
     std::vector<Part> parts{{"", play_range_of(scene)}};
     for (ClipCursor clips = scene.clips(); !clips.at_end();) {

@@ -11,7 +11,7 @@
 namespace kfast {
 
 /// Where a preview shows a scene.
-struct Stage {
+struct Viewport {
     SceneView scene;
     Size panel;
     Fit fit = Fit::contain;

@@ -1,4 +1,4 @@
-#include "firmware/link/stage.hpp"
+#include "firmware/link/playback_session.hpp"
 
 #include "firmware/link/received_drawing.hpp"
 
@@ -31,28 +31,28 @@ Name beginning_of(std::string_view text)
 
 }
 
-std::size_t panel_player_bytes(const SceneView& scene, const StageFacts& facts)
+std::size_t panel_player_bytes(const SceneView& scene, const BoardFacts& facts)
 {
     return Player::block_bytes(scene, facts.panel_size);
 }
 
-std::size_t beam_player_bytes(const SceneView& scene, const StageFacts& facts)
+std::size_t beam_player_bytes(const SceneView& scene, const BoardFacts& facts)
 {
     return BeamPlayer::block_bytes(scene, facts.settings.beam);
 }
 
-Stage::Stage(const StageFacts& facts)
-    : facts_{facts}, now_{built_in_act()}, brightness_{facts.settings.panel.brightness},
+PlaybackSession::PlaybackSession(const BoardFacts& facts)
+    : facts_{facts}, now_{built_in_item()}, brightness_{facts.settings.panel.brightness},
       turned_brightness_{facts.settings.panel.brightness}
 {
 }
 
-Stage::Act Stage::built_in_act() const
+PlaybackSession::PlaybackItem PlaybackSession::built_in_item() const
 {
     return {{.scene = facts_.built_in, .home = Home::built_in, .clip = facts_.settings.clip}, std::nullopt};
 }
 
-DeviceFacts Stage::facts() const
+DeviceFacts PlaybackSession::facts() const
 {
     return {.panel = facts_.panel_size,
             .block_bytes = static_cast<std::uint32_t>(facts_.block.size()),
@@ -62,14 +62,14 @@ DeviceFacts Stage::facts() const
             .start_clip = facts_.settings.clip};
 }
 
-Playing Stage::playing() const
+Playing PlaybackSession::playing() const
 {
     if (!now_.scene)
         return {.brightness = brightness_, .arming = arming()};
     return {.is_playing = true,
             .is_paused = controls_->is_paused(),
-            .home = now_.programme.home,
-            .slot = now_.programme.slot,
+            .home = now_.selection.home,
+            .slot = now_.selection.slot,
             .brightness = brightness_,
             .inputs = static_cast<std::uint8_t>(now_.scene->input_count()),
             .canvas = now_.scene->canvas(),
@@ -81,7 +81,7 @@ Playing Stage::playing() const
             .arming = arming()};
 }
 
-InputState Stage::input(std::uint8_t number) const
+InputState PlaybackSession::input(std::uint8_t number) const
 {
     const InputView input = now_.scene->input(number);
     if (input.type == InputType::drawing)
@@ -96,81 +96,84 @@ InputState Stage::input(std::uint8_t number) const
             .place = place_of(number, input)};
 }
 
-Time Stage::place_of(std::uint32_t number, const InputView& input) const
+Time PlaybackSession::place_of(std::uint32_t number, const InputView& input) const
 {
     const auto placed = controls_->inputs();
     const auto found = std::ranges::find(placed, number, &PlacedInput::number);
     return found == placed.end() ? input.place_of(input.default_value) : found->place;
 }
 
-std::span<const std::byte> Stage::played() const
+std::span<const std::byte> PlaybackSession::played() const
 {
     if (now_.scene)
-        return now_.programme.scene;
-    return gave_way_ ? gave_way_->programme.scene : std::span<const std::byte>{};
+        return now_.selection.scene;
+    return gave_way_ ? gave_way_->selection.scene : std::span<const std::byte>{};
 }
 
-std::size_t Stage::block_bytes(const SceneView& scene) const { return facts_.player_bytes(scene, facts_); }
+std::size_t PlaybackSession::block_bytes(const SceneView& scene) const
+{
+    return facts_.player_bytes(scene, facts_);
+}
 
 /// Where they lie in the block; its end if they lie elsewhere.
-std::size_t Stage::offset_in_block(std::span<const std::byte> bytes) const
+std::size_t PlaybackSession::offset_in_block(std::span<const std::byte> bytes) const
 {
     const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
     const std::size_t offset = address(bytes.data()) - address(facts_.block.data());
     return bytes.empty() ? facts_.block.size() : std::min<std::size_t>(offset, facts_.block.size());
 }
 
-Status Stage::play(const Programme& programme, const SceneView& scene)
+Status PlaybackSession::play(const SceneSelection& selection, const SceneView& scene)
 {
     if (!has_display())
         return Status::unsupported;
     const std::size_t bytes = block_bytes(scene);
-    if (bytes > offset_in_block(programme.scene)) {
+    if (bytes > offset_in_block(selection.scene)) {
         if (now_.holds)
-            end_loan();
+            end_lease();
         return Status::block_too_small;
     }
-    if (bytes > offset_in_block(lent_))
-        lent_ = {};
+    if (bytes > offset_in_block(leased_))
+        leased_ = {};
     gave_way_.reset();
-    change({.programme = programme, .scene = scene});
+    change({.selection = selection, .scene = scene});
     return Status::ok;
 }
 
-void Stage::play_nothing()
+void PlaybackSession::play_nothing()
 {
-    lent_ = {};
+    leased_ = {};
     gave_way_.reset();
-    change(built_in_act());
+    change(built_in_item());
 }
 
-std::span<std::byte> Stage::lend_ram(std::uint32_t size)
+std::span<std::byte> PlaybackSession::lease_ram(std::uint32_t size)
 {
-    lent_ = {};
+    leased_ = {};
     if (is_changing())
         return {};
-    lend(size);
-    if (lent_.empty()) {
+    lease(size);
+    if (leased_.empty()) {
         give_way();
         if (!is_changing())
-            lend(size);
+            lease(size);
     }
-    return lent_;
+    return leased_;
 }
 
-void Stage::lend(std::uint32_t size)
+void PlaybackSession::lease(std::uint32_t size)
 {
     if (const auto place = place_in_block(whole_words(size)))
-        lent_ = facts_.block.subspan(*place, size);
+        leased_ = facts_.block.subspan(*place, size);
 }
 
 /// Where so many bytes lie behind what the player uses, and not on the scene that plays.
-std::optional<std::size_t> Stage::place_in_block(std::size_t bytes) const
+std::optional<std::size_t> PlaybackSession::place_in_block(std::size_t bytes) const
 {
     const std::size_t used = now_.scene ? whole_words(block_bytes(*now_.scene)) : 0;
     const std::size_t end = facts_.block.size() / 4 * 4;
-    const std::size_t scene_begin = std::min(end, offset_in_block(now_.programme.scene));
-    const std::size_t scene_end = std::min(end, scene_begin + whole_words(now_.programme.scene.size()));
+    const std::size_t scene_begin = std::min(end, offset_in_block(now_.selection.scene));
+    const std::size_t scene_end = std::min(end, scene_begin + whole_words(now_.selection.scene.size()));
     for (const auto& [from, to] : {std::pair{std::max(used, scene_end), end}, std::pair{used, scene_begin}})
         if (from + bytes <= to)
             return to - bytes;
@@ -178,16 +181,16 @@ std::optional<std::size_t> Stage::place_in_block(std::size_t bytes) const
 }
 
 /// What plays from RAM cannot play again: something else will lie there.
-void Stage::give_way()
+void PlaybackSession::give_way()
 {
-    if (now_.programme.home != Home::ram)
+    if (now_.selection.home != Home::ram)
         gave_way_ = now_;
-    change({.programme = {}, .scene = {}, .holds = true});
+    change({.selection = {}, .scene = {}, .holds = true});
 }
 
-void Stage::end_loan()
+void PlaybackSession::end_lease()
 {
-    lent_ = {};
+    leased_ = {};
     if (next_ && next_->holds) {
         next_.reset();
         gave_way_.reset();
@@ -197,57 +200,57 @@ void Stage::end_loan()
     }
 }
 
-void Stage::change(const Act& act)
+void PlaybackSession::change(const PlaybackItem& item)
 {
     if (is_drawn_)
-        next_ = act;
+        next_ = item;
     else
-        bring_on(act);
+        set_current(item);
 }
 
-void Stage::bring_on(const Act& act)
+void PlaybackSession::set_current(const PlaybackItem& item)
 {
-    now_ = act;
+    now_ = item;
     is_new_ = true;
     if (now_.scene)
         set_up_controls();
 }
 
-bool Stage::begin()
+bool PlaybackSession::begin()
 {
     if (next_)
-        bring_on(*next_);
+        set_current(*next_);
     next_.reset();
     is_new_ = false;
     is_drawn_ = !now_.holds;
     return is_drawn_;
 }
 
-std::span<std::byte> Stage::block() const
+std::span<std::byte> PlaybackSession::block() const
 {
-    return facts_.block.first(std::min(offset_in_block(now_.programme.scene), offset_in_block(lent_)));
+    return facts_.block.first(std::min(offset_in_block(now_.selection.scene), offset_in_block(leased_)));
 }
 
-void Stage::scene_started(const SceneView& scene)
+void PlaybackSession::scene_started(const SceneView& scene)
 {
     skipped_of_scene_ = 0;
     if (now_.scene)
         return;
     now_.scene = scene;
-    now_.programme.scene = now_.programme.scene.first(scene.size());
+    now_.selection.scene = now_.selection.scene.first(scene.size());
     set_up_controls();
 }
 
-void Stage::set_up_controls()
+void PlaybackSession::set_up_controls()
 {
-    Controls controls{facts_.settings, *now_.scene, now_.programme.clip};
+    Controls controls{facts_.settings, *now_.scene, now_.selection.clip};
     if (controls_)
         controls.follow(*controls_);
     controls_ = controls;
     moment_ = controls_->playhead().moment();
 }
 
-void Stage::steered(const Playhead& playhead)
+void PlaybackSession::steered(const Playhead& playhead)
 {
     moment_ = playhead.moment();
     obey_arming();
@@ -255,13 +258,13 @@ void Stage::steered(const Playhead& playhead)
         brightness_ = turned_brightness_ = controls_->brightness();
 }
 
-void Stage::obey_arming()
+void PlaybackSession::obey_arming()
 {
     if (controls_->take_arming())
         set_armed(!is_armed_);
 }
 
-void Stage::frame_shown(const FrameReport& report)
+void PlaybackSession::frame_shown(const FrameReport& report)
 {
     ++frames_;
     late_ += report.is_late ? 1 : 0;
@@ -270,25 +273,25 @@ void Stage::frame_shown(const FrameReport& report)
     skipped_of_scene_ = report.skipped;
 }
 
-void Stage::fault()
+void PlaybackSession::fault()
 {
     now_.scene.reset();
     is_drawn_ = false;
 }
 
-void Stage::pause()
+void PlaybackSession::pause()
 {
     if (now_.scene)
         controls_->pause();
 }
 
-void Stage::resume()
+void PlaybackSession::resume()
 {
     if (now_.scene)
         controls_->resume();
 }
 
-void Stage::seek(Time time)
+void PlaybackSession::seek(Time time)
 {
     if (!now_.scene)
         return;
@@ -298,13 +301,13 @@ void Stage::seek(Time time)
     moment_ = sought.moment();
 }
 
-void Stage::set_speed(std::int32_t speed)
+void PlaybackSession::set_speed(std::int32_t speed)
 {
     if (now_.scene)
         controls_->set_speed(speed);
 }
 
-Status Stage::set_brightness(std::uint8_t brightness)
+Status PlaybackSession::set_brightness(std::uint8_t brightness)
 {
     if (!facts_.is_dimmable)
         return Status::unsupported;
@@ -312,14 +315,14 @@ Status Stage::set_brightness(std::uint8_t brightness)
     return Status::ok;
 }
 
-Arming Stage::arming() const
+Arming PlaybackSession::arming() const
 {
     if (facts_.set_armed == nullptr)
         return Arming::none;
     return is_armed_ ? Arming::armed : Arming::disarmed;
 }
 
-void Stage::set_armed(bool is_armed)
+void PlaybackSession::set_armed(bool is_armed)
 {
     is_armed_by_computer_ = false;
     if (facts_.set_armed == nullptr || is_armed == is_armed_)
@@ -329,7 +332,7 @@ void Stage::set_armed(bool is_armed)
 }
 
 /// What somebody at the board has armed stays theirs: only they need to be there.
-Status Stage::arm()
+Status PlaybackSession::arm()
 {
     if (facts_.set_armed == nullptr)
         return Status::no_laser;
@@ -340,7 +343,7 @@ Status Stage::arm()
     return Status::ok;
 }
 
-Status Stage::disarm()
+Status PlaybackSession::disarm()
 {
     if (facts_.set_armed == nullptr)
         return Status::no_laser;
@@ -349,15 +352,15 @@ Status Stage::disarm()
 }
 
 /// A computer that is gone cannot disarm any more what it has armed.
-void Stage::lose_computer()
+void PlaybackSession::lose_computer()
 {
     if (is_armed_by_computer_)
         set_armed(false);
 }
 
-void Stage::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
+void PlaybackSession::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }
 
-Status Stage::set_text(std::uint32_t number, std::string_view text)
+Status PlaybackSession::set_text(std::uint32_t number, std::string_view text)
 {
     if (player_ == nullptr)
         return Status::nothing_plays;
@@ -367,12 +370,12 @@ Status Stage::set_text(std::uint32_t number, std::string_view text)
     return Status::ok;
 }
 
-Status Stage::tell(const DrawingPart& part)
+Status PlaybackSession::deliver(const DrawingPart& part)
 {
-    return player_ == nullptr ? Status::nothing_plays : link::tell(*player_, part);
+    return player_ == nullptr ? Status::nothing_plays : link::deliver(*player_, part);
 }
 
-Status Stage::enter_boot_loader(Microseconds now)
+Status PlaybackSession::enter_boot_loader(Microseconds now)
 {
     constexpr Microseconds time_for_the_answer{100'000};
     if (!facts_.has_boot_loader)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "host/commands/flash/workbench.hpp"
+#include "host/commands/flash/flash_environment.hpp"
 #include "host/config/firmware_file.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/program/interruption.hpp"
@@ -85,7 +85,7 @@ private:
 };
 
 /// Picos and drives on a desk, where time passes only while somebody waits.
-class PretendWorkbench final : public Workbench {
+class PretendFlashEnvironment final : public FlashEnvironment {
 public:
     static constexpr int always = 1'000'000;
 

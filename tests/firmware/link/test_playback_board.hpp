@@ -1,7 +1,7 @@
 #pragma once
 
-#include "firmware/link/conversation.hpp"
-#include "firmware/link/stage.hpp"
+#include "firmware/link/link_service.hpp"
+#include "firmware/link/playback_session.hpp"
 #include "firmware/run/panel_mirror.hpp"
 #include "firmware/run/run.hpp"
 #include "host/player/received_drawing.hpp"
@@ -64,9 +64,9 @@ private:
 
 /// A board with a stage, and a computer that has its turn whenever the board listens: everything is called in
 /// the order in which a chip does it. Checks each frame against what the scene says, drawn apart from it.
-class StagedBoard {
+class TestPlaybackBoard {
 public:
-    explicit StagedBoard(const BoardSettings& with = {}, std::size_t block_bytes = 40'000)
+    explicit TestPlaybackBoard(const BoardSettings& with = {}, std::size_t block_bytes = 40'000)
         : settings{with}, block_(block_bytes / 4)
     {
         built_in = padded_scene(2000, 0);
@@ -76,12 +76,12 @@ public:
     void run_for(std::uint32_t milliseconds)
     {
         end_ = now_ + Microseconds{1000 * milliseconds};
-        if (!stage_)
+        if (!playback_)
             start();
         life_.step();
     }
 
-    link::Stage& stage() { return *stage_; }
+    link::PlaybackSession& playback() { return *playback_; }
 
     // As ChangingBoard has it.
     MirroredPanel& panel() { return panel_; }
@@ -99,19 +99,19 @@ public:
     }
     void listen() { tick(); }
     bool wants_to_run() const { return true; }
-    bool running() const { return !stage_->wants_to_begin(); }
+    bool running() const { return !playback_->wants_to_begin(); }
     bool begin()
     {
-        is_drawing = stage_->begin();
+        is_drawing = playback_->begin();
         return is_drawing;
     }
-    std::span<const std::byte> scene_bytes() const { return stage_->scene_bytes(); }
-    std::span<std::byte> block() const { return stage_->block(); }
+    std::span<const std::byte> scene_bytes() const { return playback_->scene_bytes(); }
+    std::span<std::byte> block() const { return playback_->block(); }
     std::array<std::span<std::byte>, 2> bands() { return {bands_[0], bands_[1]}; }
     void scene_started(const SceneView& scene)
     {
-        stage_->scene_started(scene);
-        const auto bytes = stage_->scene_bytes();
+        playback_->scene_started(scene);
+        const auto bytes = playback_->scene_bytes();
         shown_.assign(bytes.begin(), bytes.end());
         ++scenes_begun;
         begun_at = now_;
@@ -119,27 +119,27 @@ public:
     void plays(SceneState* player)
     {
         player_ = player;
-        stage_->plays(player);
+        playback_->plays(player);
     }
-    Playhead playhead(const SceneView&) const { return stage_->playhead(); }
-    void steer(Playhead& playhead) { stage_->steer(playhead, pins, now_); }
+    Playhead playhead(const SceneView&) const { return playback_->playhead(); }
+    void steer(Playhead& playhead) { playback_->steer(playhead, pins, now_); }
     std::span<const PlacedInput> inputs()
     {
-        const auto placed = stage_->inputs();
+        const auto placed = playback_->inputs();
         placed_.assign(placed.begin(), placed.end());
-        keep_told();
+        keep_inputs();
         return placed_;
     }
-    bool wants_rest() const { return stage_->wants_rest(); }
+    bool wants_rest() const { return playback_->wants_rest(); }
     void frame_shown(const FrameReport& report)
     {
-        stage_->frame_shown(report);
+        playback_->frame_shown(report);
         CHECK(std::ranges::equal(panel_.picture(), picture_at(report.time)));
         frames.push_back(report);
     }
     void fault(Error error)
     {
-        stage_->fault();
+        playback_->fault();
         faults.push_back(error);
         is_drawing = false;
     }
@@ -165,21 +165,21 @@ public:
     bool is_drawing = false;
 
 private:
-    using Conversation = link::Conversation<PretendPipe, PretendFlash>;
+    using LinkService = link::LinkService<PretendPipe, PretendFlash>;
 
     void start()
     {
-        stage_.emplace(link::StageFacts{.settings = settings,
-                                        .serial = {"E6"},
-                                        .board = {"board"},
-                                        .panel = {"panel"},
-                                        .panel_size = small_panel,
-                                        .block = std::as_writable_bytes(std::span{block_}),
-                                        .built_in = built_in,
-                                        .is_dimmable = true,
-                                        .has_boot_loader = true});
-        conversation_.emplace(pipe, *stage_, slots);
-        conversation_->begin();
+        playback_.emplace(link::BoardFacts{.settings = settings,
+                                           .serial = {"E6"},
+                                           .board = {"board"},
+                                           .panel = {"panel"},
+                                           .panel_size = small_panel,
+                                           .block = std::as_writable_bytes(std::span{block_}),
+                                           .built_in = built_in,
+                                           .is_dimmable = true,
+                                           .has_boot_loader = true});
+        link_service_.emplace(pipe, *playback_, slots);
+        link_service_->begin();
     }
 
     void tick()
@@ -187,20 +187,20 @@ private:
         now_ = now_ + Microseconds{1000};
         computer();
         const auto before = flash.operations();
-        conversation_->serve([this, before] {
+        link_service_->serve([this, before] {
             return now_ +
                    Microseconds{flash_time.count * static_cast<std::uint32_t>(flash.operations() - before)};
         });
         now_ =
             now_ + Microseconds{flash_time.count * static_cast<std::uint32_t>(flash.operations() - before)};
-        if (is_drawing && stage_->scene_bytes().size() == shown_.size())
-            CHECK(std::ranges::equal(stage_->scene_bytes(), shown_));
+        if (is_drawing && playback_->scene_bytes().size() == shown_.size())
+            CHECK(std::ranges::equal(playback_->scene_bytes(), shown_));
         if (reached(now_, end_))
             life_.pause();
     }
 
     /// What is shown in the next frame.
-    void keep_told()
+    void keep_inputs()
     {
         drawings_.clear();
         texts_.clear();
@@ -242,20 +242,20 @@ private:
                                                  std::vector<std::byte>(8 * 128)};
     Microseconds now_{0xFFF0'0000}; // the clock wraps soon
     Microseconds end_{};
-    std::optional<link::Stage> stage_;
-    std::optional<Conversation> conversation_;
+    std::optional<link::PlaybackSession> playback_;
+    std::optional<LinkService> link_service_;
     Scene shown_;
     std::vector<PlacedInput> placed_;
     std::map<std::uint32_t, ReceivedDrawing> drawings_;
     SceneState* player_ = nullptr;
     std::map<std::uint32_t, std::string> texts_;
-    TakingTurns life_{[this] { run_stage(*this); }};
+    TakingTurns life_{[this] { run_scenes(*this); }};
 };
 
-static_assert(ChangingBoard<StagedBoard>);
-static_assert(InputBoard<StagedBoard>);
-static_assert(RestingBoard<StagedBoard>);
-static_assert(ListeningBoard<StagedBoard>);
-static_assert(LiveInputBoard<StagedBoard>);
+static_assert(ChangingBoard<TestPlaybackBoard>);
+static_assert(InputBoard<TestPlaybackBoard>);
+static_assert(RestingBoard<TestPlaybackBoard>);
+static_assert(ListeningBoard<TestPlaybackBoard>);
+static_assert(LiveInputBoard<TestPlaybackBoard>);
 
 }

@@ -16,12 +16,12 @@ namespace kfast {
 /// their own, hence virtual.
 ///
 /// Members throw what the functions throw whose names they have.
-class Workbench {
+class FlashEnvironment {
 public:
-    Workbench() = default;
-    virtual ~Workbench() = default;
-    Workbench(const Workbench&) = delete;
-    Workbench& operator=(const Workbench&) = delete;
+    FlashEnvironment() = default;
+    virtual ~FlashEnvironment() = default;
+    FlashEnvironment(const FlashEnvironment&) = delete;
+    FlashEnvironment& operator=(const FlashEnvironment&) = delete;
 
     virtual std::vector<BootBoard> boards_in_boot_loader() = 0;
     virtual std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board) = 0;
@@ -33,7 +33,7 @@ public:
     virtual std::vector<Uf2Drive> uf2_drives() = 0;
     virtual Uf2Drive uf2_drive_at(const std::string& folder) = 0;
     virtual void copy_to_drive(const Uf2Drive& drive, const FlashImage& image,
-                               const FlashProgressCallback& tell) = 0;
+                               const FlashProgressCallback& on_progress) = 0;
 
     virtual void enter_boot_loader(const BootLines& lines) = 0;
 
@@ -44,6 +44,6 @@ public:
 };
 
 /// That of this computer: USB, mounted drives and GPIO lines.
-std::unique_ptr<Workbench> this_workbench();
+std::unique_ptr<FlashEnvironment> host_flash_environment();
 
 }

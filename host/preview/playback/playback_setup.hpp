@@ -16,7 +16,7 @@ struct Part {
 };
 
 /// What a preview can play, and how it begins.
-struct Programme {
+struct PlaybackSetup {
     std::uint32_t frame_rate = 30000;           ///< frames in 1000 seconds
     std::vector<Part> parts;                    ///< the whole scene, then its clips
     std::vector<Time> keys;                     ///< in order
@@ -26,6 +26,6 @@ struct Programme {
     std::int32_t speed = Playhead::as_authored; ///< not 0
 };
 
-Programme programme_of(const SceneView& scene);
+PlaybackSetup playback_setup_of(const SceneView& scene);
 
 }

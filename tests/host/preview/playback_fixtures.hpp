@@ -17,7 +17,7 @@ inline constexpr Seconds start{1000};
 
 /// 10 fps and 10 frames; keys at 0, 3, 6.5 and at the end; a clip "slow", frames 4 to 8, repeated, and one
 /// that plays once, frames 2.5 to 4. Events stand at 0, 5 and 5.25 frames.
-inline Programme programme(Loop loop)
+inline PlaybackSetup playback_setup(Loop loop)
 {
     static const std::vector<std::byte> events =
         event_bytes({{"begin", Time{0}}, {"step", Time::frame(5)}, {"echo\x1b", {5 * 1024 + 256}}});
@@ -30,9 +30,9 @@ inline Programme programme(Loop loop)
 }
 
 /// The same without events.
-inline Programme silent(Loop loop)
+inline PlaybackSetup silent(Loop loop)
 {
-    Programme silent = programme(loop);
+    PlaybackSetup silent = playback_setup(loop);
     silent.events = EventCursor{ByteReader{}};
     return silent;
 }
@@ -43,13 +43,13 @@ inline PreviewPlayback playback(Loop loop, std::optional<int> loops = std::nullo
 }
 
 /// A playback with events, and the names of those that were passed.
-struct Told {
-    explicit Told(std::optional<int> loops = std::nullopt)
-        : state{programme(Loop::repeat), Pace::smooth, start, loops}
+struct RecordedPlayback {
+    explicit RecordedPlayback(std::optional<int> loops = std::nullopt)
+        : state{playback_setup(Loop::repeat), Pace::smooth, start, loops}
     {
-        state.tell_events_to([this](const EventView& event) { names.append(event.name).append(" "); });
+        state.set_on_event([this](const EventView& event) { names.append(event.name).append(" "); });
     }
-    Told(const Told&) = delete;
+    RecordedPlayback(const RecordedPlayback&) = delete;
 
     std::string passed() { return std::exchange(names, {}); }
 

@@ -1,6 +1,6 @@
-#include "boards/pico/stage/settings.hpp"
+#include "boards/pico/app/settings.hpp"
 
-#include "boards/pico/stage/default_settings.hpp"
+#include "boards/pico/app/default_settings.hpp"
 #include "firmware/settings/board_record.hpp"
 
 #include <algorithm>

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "core/scene/scene_view.hpp"
+#include "firmware/link/device.hpp"
+#include "firmware/link/message.hpp"
+#include "firmware/link/upload.hpp"
+#include "firmware/run/blank.hpp"
+#include "firmware/slots/slot_store.hpp"
+#include "firmware/status.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace kfast::link {
+
+/// 0 … 7: no_such_slot, or ok.
+constexpr StatusWithNumber slot_exists(std::uint8_t slot)
+{
+    if (slot < SlotDirectory::slot_count)
+        return {};
+    return {Status::no_such_slot, SlotDirectory::slot_count};
+}
+
+/// The scenes that a device has, wherever they lie, and how they come to be played.
+template <Device D, Flash F>
+class SceneLibrary {
+public:
+    /// All of them must outlive it.
+    SceneLibrary(D& device, const SlotStore<F>& slots, const Upload<D, F>& upload)
+        : device_{device}, slots_{slots}, upload_{upload}
+    {
+    }
+
+    /// Fails with no_such_slot, empty_slot, nothing_in_ram, nothing_plays, no_such_clip or an error of
+    /// SceneView::parse, or as the device does; then what played plays on.
+    StatusWithNumber play(const Play& what)
+    {
+        if (what.home == Home::start)
+            return play_start_or_nothing(what.clip);
+        SceneSelection selection{.home = what.home, .slot = what.slot, .clip = what.clip};
+        if (const StatusWithNumber result = find_scene(selection); !result.is_ok())
+            return result;
+        const auto scene = SceneView::parse(selection.scene, every_feature_but_outlines);
+        return scene ? play(selection, *scene) : status_of(scene.error());
+    }
+
+    /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen or it
+    /// cannot be played, the built-in one. `clip` is one of its clips; empty: what the device is set to.
+    /// Fails as playing the built-in scene fails, and then what played plays on.
+    StatusWithNumber play_start(const Name& clip = {})
+    {
+        if (const auto chosen = slots_.chosen()) {
+            const StatusWithNumber result = play_at_start({slots_.scene(*chosen), Home::slot, *chosen, clip});
+            if (result.is_ok() || result.status == Status::no_such_clip)
+                return result;
+        }
+        return play_at_start({device_.built_in(), Home::built_in, no_slot, clip});
+    }
+
+    /// What played plays no longer, even if there is nothing else.
+    void return_to_start()
+    {
+        if (!play_start().is_ok())
+            device_.play_nothing();
+    }
+
+private:
+    /// A device that has no scene for its start plays nothing then.
+    StatusWithNumber play_start_or_nothing(const Name& clip)
+    {
+        const StatusWithNumber result = play_start(clip);
+        if (result != StatusWithNumber{Status::no_scene})
+            return result;
+        device_.play_nothing();
+        return {};
+    }
+
+    StatusWithNumber play_at_start(SceneSelection selection)
+    {
+        if (is_blank(selection.scene))
+            return Status::no_scene;
+        const auto scene = SceneView::parse(selection.scene, every_feature_but_outlines);
+        if (!scene)
+            return status_of(scene.error());
+        const Name default_value = device_.facts().start_clip;
+        if (selection.clip.view().empty() && scene->clip(default_value.view()))
+            selection.clip = default_value;
+        return play(selection, *scene);
+    }
+
+    StatusWithNumber play(SceneSelection selection, const SceneView& scene)
+    {
+        if (!selection.clip.view().empty() && !scene.clip(selection.clip.view()))
+            return Status::no_such_clip;
+        selection.scene = selection.scene.first(scene.size());
+        return device_.play(selection, scene);
+    }
+
+    /// Fills in where the scene lies.
+    StatusWithNumber find_scene(SceneSelection& selection) const
+    {
+        switch (selection.home) {
+        case Home::built_in:
+            selection.slot = no_slot;
+            selection.scene = device_.built_in();
+            return is_blank(selection.scene) ? Status::no_scene : Status::ok;
+        case Home::slot:
+            if (const StatusWithNumber result = slot_exists(selection.slot); !result.is_ok())
+                return result;
+            selection.scene = slots_.scene(selection.slot);
+            return selection.scene.empty() ? Status::empty_slot : Status::ok;
+        case Home::ram:
+            selection.slot = no_slot;
+            selection.scene = upload_.ram_scene();
+            return selection.scene.empty() ? Status::nothing_in_ram : Status::ok;
+        case Home::here:
+        case Home::start:
+            break;
+        }
+        const Playing playing = device_.playing();
+        selection.home = playing.home;
+        selection.slot = playing.slot;
+        selection.scene = device_.played();
+        return playing.is_playing ? Status::ok : Status::nothing_plays;
+    }
+
+    D& device_;
+    const SlotStore<F>& slots_;
+    const Upload<D, F>& upload_;
+};
+
+}
