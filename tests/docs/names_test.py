@@ -124,6 +124,17 @@ class Project(unittest.TestCase):
         named = {name for line in folders.splitlines() if is_row(line) for name in re.findall(r"`([\w.]+)/`", cells(line)[0])}
         self.assertEqual(named - {".ci"}, set(FOLDERS.split("|")))
 
+    def test_glossary_names_what_the_code_has(self):
+        code = "".join(path.read_text(encoding="utf-8") for folder in ("core", "firmware", "host")
+                       for path in (ROOT / folder).rglob("*.hpp"))
+        known = set(re.findall(r"\w+", code))
+        rows = [cells(line) for line in (ROOT / "docs/glossary.md").read_text(encoding="utf-8").splitlines() if is_row(line)]
+        named = [name for row in rows for name in re.findall(r"`([^`]+)`", row[2])]
+        self.assertGreater(len(named), 60)
+        for name in named:
+            with self.subTest(name=name):
+                self.assertLessEqual(set(re.findall(r"\w+", name)), known)
+
     def test_scripts_have_the_options_that_are_given(self):
         presets = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
         for path, place, line in each_text():
