@@ -60,7 +60,7 @@ extern std::uint32_t bss_end[];
 [[gnu::naked, gnu::used]] void fault_handler()
 {
     asm volatile("ldr sp, =stack_top\n"
-                 "b tell_fault\n"
+                 "b report_fault\n"
                  ".ltorg");
 }
 }

@@ -35,7 +35,7 @@ class Link {
 public:
     /// Both must outlive the link. Nobody else begins uploads to `slots`.
     Link(D& device, SlotStore<F>& slots)
-        : device_{device}, slots_{slots}, upload_{device, slots}, scene_library_{device, slots, upload_}
+        : device_{device}, slots_{slots}, upload_{device, slots}, library_{device, slots, upload_}
     {
     }
 
@@ -74,7 +74,7 @@ public:
             carry_out(*action);
         }
         if (device_.is_idle())
-            scene_library_.return_to_start();
+            library_.return_to_start();
     }
 
     /// The computer is gone, perhaps for a while.
@@ -96,7 +96,7 @@ public:
     }
 
     /// What plays when the device starts plays (Repertoire).
-    StatusWithNumber play_start() { return scene_library_.play_start(); }
+    StatusWithNumber play_start() { return library_.play_start(); }
 
     /// Whether there is something to fetch.
     bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
@@ -292,7 +292,7 @@ private:
         return result.is_ok() ? StatusWithNumber{slots_.choose(which.slot)} : result;
     }
 
-    Completion<Kind::play> carry_out(const Play& what, Asked) { return scene_library_.play(what); }
+    Completion<Kind::play> carry_out(const Play& what, Asked) { return library_.play(what); }
 
     void carry_out(SilenceAction action)
     {
@@ -300,7 +300,7 @@ private:
         case SilenceAction::hold:
             return device_.pause();
         case SilenceAction::start:
-            return scene_library_.return_to_start();
+            return library_.return_to_start();
         }
     }
 
@@ -391,7 +391,7 @@ private:
     D& device_;
     SlotStore<F>& slots_;
     Upload<D, F> upload_;
-    SceneLibrary<D, F> scene_library_;
+    SceneLibrary<D, F> library_;
     AnswerQueue answers_;
     SilenceWatch silence_;
     std::optional<Report> waiting_; ///< a request that could not be carried out yet

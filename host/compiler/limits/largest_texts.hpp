@@ -19,6 +19,6 @@ void put_texts(const LargestTexts& texts, OutlineMeter& meter);
 /// characters are the largest at different moments. `meter` is one of the scene; its texts are others
 /// afterwards.
 std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
-                                      OutlineMeter& meter);
+                                        OutlineMeter& meter);
 
 }

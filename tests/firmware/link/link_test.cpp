@@ -228,7 +228,8 @@ TEST_CASE("an upload that cannot be is refused at its beginning")
           StatusWithNumber{Status::bad_value});
     CHECK(bench.refusal(Begin{.home = Home::slot, .slot = 0, .size = 0xFFFF * 60}) ==
           StatusWithNumber{Status::no_room, 12 * 4096});
-    CHECK(bench.refusal(Begin{.home = Home::ram, .size = 20'001}) == StatusWithNumber{Status::too_large, 20'000});
+    CHECK(bench.refusal(Begin{.home = Home::ram, .size = 20'001}) ==
+          StatusWithNumber{Status::too_large, 20'000});
 }
 
 TEST_CASE("an input is told by its number")
