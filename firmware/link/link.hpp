@@ -260,10 +260,7 @@ private:
     {
         return upload_.begin(what, asked.tag, asked.now);
     }
-    Completion<Kind::commit> carry_out(const Commit&, Asked asked)
-    {
-        return upload_.commit(asked.tag, asked.now);
-    }
+    Completion<Kind::commit> carry_out(const Commit&, Asked by) { return upload_.commit(by.tag, by.now); }
     Completion<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
 
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
