@@ -71,7 +71,7 @@ private:
     /// The end that it runs to.
     Position goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
     Position distance_in(std::int64_t ticks) const;
-    /// How far it comes on `way` without a turn.
+    /// How far it comes on `distance` without a turn.
     Position next_stop(Position distance) const;
     /// Where it arrives on the way to `place`: without the place where it stands.
     Ticks ticks_to(Position place) const;

@@ -49,7 +49,7 @@ constexpr bool is_known(Status) { return true; }
 
 constexpr Status status_of(Error error) { return static_cast<Status>(error); }
 
-/// A status, and the number that it is told with.
+/// A status, and the number that goes with it.
 struct StatusWithNumber {
     Status status = Status::ok;
     std::uint32_t number = 0;

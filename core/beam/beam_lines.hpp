@@ -40,7 +40,7 @@ public:
     void end();
     /// Instead of end(): forgets the line.
     void drop();
-    /// Of the line that is being told.
+    /// Of the line that is being added.
     std::uint32_t open_points() const { return open_.points; }
 
     std::size_t size() const { return line_count_; }
@@ -78,7 +78,7 @@ private:
     std::size_t size_ = 0;
     std::size_t point_count_ = 0;
     std::size_t line_count_ = 0;
-    BeamLine open_; ///< the one that is being told
+    BeamLine open_; ///< the one that is being added
     bool is_full_ = false;
 };
 

@@ -43,7 +43,7 @@ struct BlockPlan {
     std::size_t size() const { return lines + legs + live; }
 };
 
-/// As they are told: a laser is not always lit where its lines are (StandingLight).
+/// As they are put out: a laser is not always lit where its lines are (StandingLight).
 std::uint32_t lit_points(PointStream plot)
 {
     std::uint32_t lit = 0;

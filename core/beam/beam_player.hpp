@@ -27,7 +27,7 @@ struct BeamReport {
     std::uint32_t compared = 0;        ///< travels, more or less, to find the order of the lines
     int speed_level = 0;               ///< the beam is 2^(haste / 4) times as fast, to keep within the budget
     bool is_complete = true;           ///< there was room and time for all lines
-    std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as told
+    std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as written
 };
 
 /// Draws any moment of a scene as points of a beam, in memory that the caller lends.

@@ -27,7 +27,7 @@ struct BeamProfile {
     std::uint8_t arrival_dwell = 0; ///< how long it waits, blanked, where it has travelled to
     std::uint8_t leave_dwell = 0;   ///< how long it waits, blanked, before it travels
     std::uint8_t light_delay =
-        0; ///< how much later the light is told than the place, for a beam that lags behind
+        0; ///< how much later the light is put out than the place, for a beam that lags behind
     std::uint8_t min_refresh = 40; ///< pictures in a second: what takes longer is drawn faster and coarser
     std::uint16_t resolution =
         256; ///< a power of two, 64 … 4096: curves are drawn to 1/16 of the field's side / this
@@ -65,7 +65,7 @@ inline constexpr BeamProfile crt_profile{.rate = 100'000,
                                          .resolution = 256};
 
 /// A laser with mirrors: 30,000 points a second, as the ILDA test pattern wants them. That is how often they
-/// are told a place, not how often they can leap: so a step is 1/100 of the width lit (as in lzr), 1/20
+/// are sent to a place, not how often they can leap: so a step is 1/100 of the width lit (as in lzr), 1/20
 /// blanked. A sharp corner waits 8 points, an arrival 6, an end 2, a leaving 4, within what OpenLase uses (8;
 /// 8 to 12; 2 to 3; 1 to 10). The light is 4 points late, of 0 to 16 that controllers allow, and the mirrors
 /// leave when it is out. 1500 points are a picture: 20 of them a second are what eyes take for a picture of a

@@ -26,7 +26,7 @@ public:
     const Dependence& dependence() const { return dependence_; }
     /// How often the pieces of curves were made twice as long to find room.
     int coarseness() const { return coarseness_; }
-    /// Of so many objects the hatching had to be wider than told, to find room.
+    /// Of so many objects the hatching had to be wider than written, to find room.
     std::uint32_t wider_hatchings() const { return wider_hatchings_; }
 
 private:

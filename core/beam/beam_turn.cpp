@@ -6,7 +6,7 @@ namespace kfast {
 namespace {
 
 /// In x and y. A turn right round from (32767, 32767) would take 59,000 more than 32 bits hold, as lengths
-/// are told a little too long.
+/// are a little too long.
 constexpr std::int32_t longest_exact = field_max - 1;
 
 }

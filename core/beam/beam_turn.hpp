@@ -33,7 +33,7 @@ public:
 
     /// By 29° (the cosine is 7/8) or more. What turns by less is taken for a curve.
     bool is_corner() const { return rest_ > whole_ >> 3; }
-    /// The share of `most`, at most 255, rounded to nearest; none where there is no corner.
+    /// The share of `max`, at most 255, rounded to nearest; none where there is no corner.
     std::uint32_t share_of(std::uint32_t max) const;
 
 private:

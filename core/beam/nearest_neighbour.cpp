@@ -92,7 +92,7 @@ void follow_nearest(FieldPoint from, std::size_t window, std::span<BeamLeg> legs
     }
 }
 
-/// How many chains there are, filled into the beginning of `legs`; none if there are more than `most`.
+/// How many chains there are, filled into the beginning of `legs`; none if there are more than `max`.
 std::size_t find_chains(const BeamLines& lines, std::size_t max, std::span<BeamLeg> legs)
 {
     std::size_t count = 0;

@@ -187,7 +187,7 @@ FieldPoint PointSequencer::next()
     return piece_.at(distance - piece_begin_);
 }
 
-/// Only here what is told takes divisions: counting takes none of them. One point has been taken already.
+/// Only here putting out takes divisions: counting takes none of them. One point has been taken already.
 void PointSequencer::set_out()
 {
     has_set_out_ = true;

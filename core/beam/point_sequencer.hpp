@@ -29,7 +29,7 @@ public:
 
     /// Goes to the next run, whatever is left of this one. Whether there is one; it has at least one point.
     bool next_run();
-    /// Points of the run that next() has not told.
+    /// Points of the run that next() has not given.
     std::uint32_t left() const { return left_; }
     bool is_lit() const { return is_lit_; }
     /// Of the line that the run is of.

@@ -15,11 +15,11 @@ namespace kfast {
 
 /// The points of a picture, one after another. It needs no memory that grows with them.
 ///
-/// Where the light is told later than the place, all points are: the places of the first ones are told at the
+/// Where the light comes later than the place, all points are: the places of the first ones come at the
 /// end of the picture before.
 class PointStream {
 public:
-    /// All but `pace` must outlive it.
+    /// All but `timing` must outlive it.
     PointStream(const BeamLines& lines, std::span<const BeamLeg> legs, const BeamProfile& profile,
                 const BeamTiming& timing);
 

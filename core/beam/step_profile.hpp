@@ -13,7 +13,7 @@ class StepProfile {
 public:
     /// As fast as can be: every line is crossed at once.
     static constexpr int max_speed_level = 4 * 31;
-    /// Where light is told by speed, darker lines are drawn as if they were as bright as this, so that the
+    /// Where speed stands for light, darker lines are drawn as if they were as bright as this, so that the
     /// beam is no more than 8 times as fast as along the brightest.
     static constexpr std::uint32_t darkest = 32;
     /// How long a dot is lit besides its dwell, in points, so that it is as bright as a line.

@@ -26,7 +26,7 @@ public:
     /// follows them.
     static BitReader take(ByteReader& bytes, std::uint32_t count, std::uint32_t width);
 
-    /// The next bits, at least `most`, the first one highest.
+    /// The next bits, at least `max`, the first one highest.
     std::uint32_t ahead() const
     {
         const std::uint32_t byte = at_ >> 3;
@@ -37,7 +37,7 @@ public:
     /// To the bit `at`, counted from the first one.
     void go_to(std::uint32_t at) { at_ = at; }
 
-    /// The next `count` bits, 1 … `most`.
+    /// The next `count` bits, 1 … `max`.
     std::uint32_t bits(std::uint32_t count)
     {
         const std::uint32_t value = ahead() >> (32 - count);

@@ -50,7 +50,7 @@ struct PlainFunction<Return (Class::*)(Arguments...) const> {
 
 }
 
-/// A member function as one that is told its object: a pointer to it is a single word, and the call of it a
+/// A member function as one that is given its object: a pointer to it is a single word, and the call of it a
 /// jump, which is not so of pointers to members.
 template <auto member>
 inline constexpr auto* plain_function = &detail::PlainFunction<decltype(member)>::template call<member>;

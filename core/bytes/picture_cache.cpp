@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// When numbers begin again, sets of the picture before are told apart from older ones.
+/// When numbers begin again, sets of the picture before are kept apart from older ones.
 void PictureCache::begin_picture()
 {
     if (++picture_ != 0)

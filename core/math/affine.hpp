@@ -36,7 +36,7 @@ constexpr std::int32_t held_factor(std::int64_t value)
 /// would grow beyond Affine::steepest is held there.
 Affine operator*(const Affine& outer, const Affine& inner);
 
-/// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `growth` (Q16); rounded to
+/// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `scale_factor` (Q16); rounded to
 /// 1/65536 px, at most 4095 px.
 Fixed half_width(Fixed width, std::int32_t scale_factor);
 

@@ -24,7 +24,7 @@ struct InputPoint {
 /// Straight lines through points; one point is a dot. Closed when its first and last point coincide.
 using InputStroke = std::span<const InputPoint>;
 
-/// A drawing from outside: the one that is shown, and the next one, which is told point by point and takes
+/// A drawing from outside: the one that is shown, and the next one, which comes point by point and takes
 /// its place at once. Lives in memory that the caller lends; copies are the same drawing.
 class InputDrawing {
 public:

@@ -19,7 +19,7 @@ public:
     /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows what is usual.
     InputDrawings(const SceneView& scene, std::span<std::byte> memory);
 
-    /// Shows all of them as they are before anything is told: part of making them, for the feature.
+    /// Shows all of them as they are before anything has come: part of making them, for the feature.
     void show_default(const SceneView& scene) const;
 
     /// That of the input `number` of `scene`, the one that these were made for; it is a drawing.

@@ -27,7 +27,7 @@ struct BackboneNode {
 class PosedBackbones {
 public:
     /// `nodes` has room for as many as backbone_node_count() says and must outlive this. `from` and `to` are
-    /// two drawings of the backbones, on whose way `way` has come.
+    /// two drawings of the backbones, on whose way `progress` has come.
     [[gnu::cold, gnu::noinline]] PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit_bits,
                                                 PackedDrawing from, PackedDrawing to, ProgressXY progress);
     /// The same, of the two drawings as they are kept.

@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// A scene on one panel, and what it is told from outside: what all that plays scenes has in common.
+/// A scene on one panel, and what comes to it from outside: what all that plays scenes has in common.
 class SceneState {
 public:
     /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
@@ -33,7 +33,7 @@ public:
     /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
     /// counts; at first it is the usual one. Whether there is room for them; if not, nothing changes.
     bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes);
-    /// Likewise what has been told to drawing(number).
+    /// Likewise what has come to drawing(number).
     void show_next_drawing(std::uint32_t number);
     /// For telling a drawing point by point. What is next is shown by show_next_drawing() alone.
     InputDrawing drawing(std::uint32_t number) const { return on_panel_.drawings.of(scene(), number); }
@@ -53,7 +53,7 @@ protected:
     const Dependence& move_to(Time time);
     /// As at that moment.
     void pose_bones();
-    /// Both. What is returned holds until an input is told.
+    /// Both. What is returned holds until an input is set.
     SceneTime pose(Time time);
 
 private:
@@ -61,7 +61,7 @@ private:
 
     SceneOnPanel on_panel_;
     std::span<Time> inputs_;           ///< where each of them stands
-    std::uint32_t changed_inputs_ = 0; ///< a bit for each input that was told something new
+    std::uint32_t changed_inputs_ = 0; ///< a bit for each input that was given a new value
 };
 
 }

@@ -18,7 +18,7 @@ namespace kfast {
 /// It goes on from where it stands: only a moment before the present key makes it begin anew.
 class KeyTimeline {
 public:
-    /// At no moment yet. `beats` is the place in the scene's bytes of at least two key times.
+    /// At no moment yet. `key_times` is the place in the scene's bytes of at least two key times.
     KeyTimeline(std::uint32_t key_times, Driver driver) : key_times_{key_times}, driver_{driver} {}
 
     /// It moves with every moment between two keys, whatever their laws: something follows a smooth curve.

@@ -83,7 +83,7 @@ struct WalkLevel {
     bool has_space : 1 = false;  ///< that of the last one of these is computed
     bool is_ordered : 1 = false; ///< some of the nodes within it have an order
     bool is_blended : 1 = false; ///< as a whole
-    bool is_to_come = false;     ///< a leaf that was not told yet
+    bool is_to_come = false;     ///< a leaf to which nothing has come yet
     std::int32_t order = 0;      ///< of the nodes that are passed now
     std::int32_t next_order = 0; ///< the lowest above it, of those passed
     std::uint32_t path = 0;      ///< see SceneWalk::path()

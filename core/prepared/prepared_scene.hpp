@@ -33,7 +33,7 @@ public:
     /// outlive this.
     PreparedScene(const SceneView& scene, std::span<std::byte> memory);
 
-    /// `told` has a bit for each input that is no number and was told something new.
+    /// `changed_inputs` has a bit for each input that is no number and was given a new value.
     void move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs);
     /// What has moved since the moment before.
     const Dependence& moved() const { return moved_; }

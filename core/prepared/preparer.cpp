@@ -185,7 +185,7 @@ void Preparer::add_track(std::uint8_t property, const KeyTimeCursor& key_times, 
 
 void Preparer::add_track(const TrackState& track) { put_at(room_.tracks, records_.tracks++, track); }
 
-/// None of a single beat.
+/// None of a single key time.
 std::uint16_t Preparer::timeline_of(const KeyTimeCursor& key_times, bool is_smooth)
 {
     if (key_times.count() < 2)

@@ -79,7 +79,7 @@ public:
     }
 
     const Layer& layer(unsigned slot) const { return layers_[slot]; }
-    /// Whether a pixel that the layers `coming` cover wholly looks as the layers `shown` made it look.
+    /// Whether a pixel that the layers `next` cover wholly looks as the layers `shown` made it look.
     bool looks_same(SlotMask next, SlotMask shown) const;
     /// Whether one opaque layer lies above all of `touched`, in both pictures; the masks are of the layers
     /// that cover a place wholly, but for `touched`.

@@ -21,10 +21,10 @@ enum class InputType : std::uint8_t {
 struct TextInput {
     std::uint32_t max = 0;                    ///< characters
     GlyphSet glyphs = {};                     ///< of the characters that are shown; others are left out
-    std::span<const std::byte> default_value; ///< the numbers of its glyphs, until another text is told
+    std::span<const std::byte> default_value; ///< the numbers of its glyphs, until another text is set
 };
 
-/// What a drawing from outside may have, and what it is until one is told.
+/// What a drawing from outside may have, and what it is until one comes.
 struct DrawingInput {
     std::uint32_t strokes = 0;
     std::uint32_t points = 0;        ///< of all strokes together
@@ -36,8 +36,8 @@ struct InputView {
     std::string_view name; ///< UTF-8
     InputType type = InputType::number;
     std::int32_t min = 0;
-    std::int32_t max = 0;           ///< more than `least`, of a number
-    std::int32_t default_value = 0; ///< until another is told
+    std::int32_t max = 0;           ///< more than `min`, of a number
+    std::int32_t default_value = 0; ///< until another is set
     TextInput text = {};            ///< only of a text
     DrawingInput drawing{};         ///< only of a drawing
 
@@ -62,7 +62,7 @@ private:
     std::uint32_t left_;
 };
 
-/// Puts into `places` where the inputs stand until others are told; there are as many of both. What is no
+/// Puts into `places` where the inputs stand until others are set; there are as many of both. What is no
 /// number stands at 0.
 void put_default_places(InputCursor inputs, std::span<Time> places);
 

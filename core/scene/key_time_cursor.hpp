@@ -16,15 +16,15 @@ struct KeyTime {
     std::uint32_t index = 0; ///< how many come before
 };
 
-/// Reads the beats of keys in the order of their times (docs/format.md, "KeyTimes").
+/// Reads key times in the order of their times (docs/format.md, "KeyTimes").
 class KeyTimeCursor {
 public:
-    /// No beats.
+    /// No key times.
     KeyTimeCursor() = default;
-    /// A single beat, at 0.
+    /// A single key time, at 0.
     static KeyTimeCursor one();
-    /// Takes `bytes` as far as the beats go; `usual` if they say so. What breaks off or has a form without a
-    /// meaning is past the end of `bytes`.
+    /// Takes `bytes` as far as the key times go; `default_value` if they say so. What breaks off or has a
+    /// form without a meaning is past the end of `bytes`.
     static KeyTimeCursor take(ByteReader& bytes, const KeyTimeCursor& default_value);
 
     bool at_end() const { return index_ == count_; }

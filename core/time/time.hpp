@@ -57,7 +57,7 @@ inline constexpr Time whole_input{65536};
 /// Where all clocks of a scene stand at once.
 class SceneTime {
 public:
-    /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not told stands at 0.
+    /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not set is at 0.
     constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
@@ -81,7 +81,7 @@ struct Dependence {
 
     static constexpr std::uint32_t bit(std::uint32_t number) { return std::uint32_t{1} << (number % 32); }
 
-    /// `moved` has what came to other keys, or was told something new, and what went on between its keys.
+    /// `moved` has what came to other keys, or was given a new value, and what went on between its keys.
     constexpr bool is_touched_by(const Dependence& moved) const
     {
         return ((keys & moved.keys) | (tweens & moved.tweens)) != 0;

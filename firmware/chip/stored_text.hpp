@@ -7,13 +7,13 @@
 
 namespace kfast {
 
-/// A text that is stored in place: at most `most` bytes of UTF-8, the rest 0.
+/// A text that is stored in place: at most `max` bytes of UTF-8, the rest 0.
 template <std::size_t max>
 struct StoredText {
     std::array<char, max> bytes{};
 
     constexpr StoredText() = default;
-    /// `text` is no longer than `most`.
+    /// `text` is no longer than `max`.
     constexpr StoredText(std::string_view text) { std::ranges::copy(text, bytes.begin()); }
 
     constexpr std::string_view view() const

@@ -48,7 +48,7 @@ concept Device = requires(D& device, const D& same, const SceneSelection& select
     { same.statistics() } -> std::same_as<Statistics>;
     /// `number` is less than playing().inputs.
     { same.input(number) } -> std::same_as<InputState>;
-    /// The bytes of the scene that plays, or shall go on; none if none does. As long as they are told here, nothing
+    /// The bytes of the scene that plays, or shall go on; none if none does. As long as they are given here, nothing
     /// writes to them.
     { same.played() } -> std::same_as<std::span<const std::byte>>;
     /// Where a UF2 file puts a scene, perhaps with more bytes after it.

@@ -38,7 +38,7 @@ static_assert(input_kind(InputType::number) == InputKind::number &&
               input_kind(InputType::text) == InputKind::text &&
               input_kind(InputType::drawing) == InputKind::drawing);
 
-/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `most` alone
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `max` alone
 /// counts, its characters.
 struct InputState {
     static constexpr Kind kind = Kind::input;
@@ -48,7 +48,7 @@ struct InputState {
     Name name{}; ///< its first 24 bytes, in whole letters
     std::int32_t min = 0;
     std::int32_t max = 0;
-    std::int32_t default_value = 0; ///< until another is told
+    std::int32_t default_value = 0; ///< until another is set
     Time place{};                   ///< where it stands: 0 … whole_input
 
     static constexpr void fields(auto&& io, auto& it)
@@ -72,7 +72,7 @@ struct Inputs {
     std::uint8_t count = 0;
     std::array<InputPlace, max> places{};
 
-    /// Whether there are no more than `most`, and each has a place that an input can have. Their numbers may
+    /// Whether there are no more than `max`, and each has a place that an input can have. Their numbers may
     /// still be none of the scene's.
     constexpr bool is_valid() const
     {
@@ -93,7 +93,7 @@ struct Text {
     std::uint8_t length = 0;            ///< bytes
     std::array<std::byte, max> bytes{}; ///< in UTF-8
 
-    /// `length` is at most `most`.
+    /// `length` is at most `max`.
     std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
 
     static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }

@@ -28,7 +28,7 @@ namespace kfast::link {
 /// answers ready. It needs no order, no completeness and no sense in what comes.
 ///
 /// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
-/// carried out; how far an upload has come is told in one report, which is always the newest. One request
+/// carried out; how far an upload has come is in one report, which is always the newest. One request
 /// may have to wait for the device, and is answered later.
 template <Device D, Flash F>
 class Link {
@@ -261,7 +261,7 @@ private:
         return upload_.begin(what, asked.tag, asked.now);
     }
     Completion<Kind::commit> carry_out(const Commit&, Asked by) { return upload_.commit(by.tag, by.now); }
-    Completion<Kind::cancel> carry_out(const Cancel&, Asked asked) { return upload_.cancel(asked.tag); }
+    Completion<Kind::cancel> carry_out(const Cancel&, Asked by) { return upload_.cancel(by.tag); }
 
     Outcome<SlotContents> carry_out(const AskSlot& which, Asked)
     {

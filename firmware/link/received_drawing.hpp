@@ -10,7 +10,7 @@
 
 namespace kfast::link {
 
-/// How far the next drawing of an input has been told, kept as its mark.
+/// How far the next drawing of an input has come, kept as its mark.
 struct DrawingProgress {
     bool has_begun = false;
     std::uint8_t number = 0; ///< DrawingNumber::number
@@ -43,7 +43,7 @@ inline bool add(InputDrawing& drawing, std::span<const InputPoint> points)
 }
 
 /// Tells `player` a part of a drawing, which is shown when its last part has come. A part that is not the
-/// next one of its drawing drops what has been told, and the drawing that is shown stays: the last part of
+/// next one of its drawing drops what has come, and the drawing that is shown stays: the last part of
 /// what was dropped fails with drawing_broken. Fails with no_drawing and drawing_large, too. The input of
 /// `part` is one of the scene.
 inline Status deliver(SceneState& player, const DrawingPart& part)

@@ -16,7 +16,7 @@ namespace kfast::link {
 /// Where the bytes of a scene go that comes over the link.
 template <class S>
 concept Sink = requires(S& sink, std::span<const std::byte> bytes) {
-    /// The next bytes: no more, altogether, than the size that was told when it began.
+    /// The next bytes: no more, altogether, than the size that was announced when it began.
     { sink.write(bytes) } -> std::same_as<void>;
     /// All bytes have come, and their checksum is right. Fails if they are no scene, or were not kept; then
     /// everything is as before.

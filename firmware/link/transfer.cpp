@@ -20,7 +20,7 @@ bool Transfer::is_wanted(std::uint16_t block)
     if (block == next_ && next_ != blocks_)
         return true;
     if (block < next_) {
-        acknowledge_soon(); // perhaps what was told has been lost
+        acknowledge_soon(); // perhaps the acknowledgement was lost
     } else if (untimely_++ % acknowledge_every == 0) {
         is_missing_ = true;
         acknowledge_soon();

@@ -16,13 +16,13 @@ namespace kfast::link {
 /// A scene on its way to the device: takes its blocks in order and tells the computer how far it has come.
 ///
 /// What comes twice is ignored. If a block is missing, those behind it are ignored as well, and the computer
-/// is told to begin again from there: once when it is seen, and once for every `acknowledge_every` blocks
+/// is asked to begin again from there: once when it is seen, and once for every `acknowledge_every` blocks
 /// that come nevertheless.
 class Transfer {
 public:
     /// How many blocks may be on the way.
     static constexpr std::uint16_t window = 64;
-    /// How many blocks come before the computer is told.
+    /// How many blocks come before one is acknowledged.
     static constexpr std::uint16_t acknowledge_every = 16;
     /// How long the next block may take.
     static constexpr Microseconds patience{3'000'000};
@@ -36,8 +36,8 @@ public:
     const Begin& what() const { return what_; }
     std::uint8_t tag() const { return tag_; }
     bool is_under_way() const { return state_ == State::under_way; }
-    /// Whether this beginning was told before: then the transfer goes on where it stands, even if it has
-    /// ended.
+    /// Whether this beginning was acknowledged before: then the transfer goes on where it stands, even if it
+    /// has ended.
     bool is_begun_by(const Begin& what, std::uint8_t tag) const
     {
         return (is_under_way() || result_ == Status::ok) && belongs(tag) && what == what_;
@@ -72,7 +72,7 @@ public:
 
     Begun begun() const { return {.next = next_, .window = window}; }
     bool has_acknowledgement() const { return acknowledged_ == Acknowledged::not_yet; }
-    /// How far it has come, if the computer is to be told so now.
+    /// How far it has come, if that is to be acknowledged now.
     std::optional<Acknowledgement> next_acknowledgement();
 
 private:
@@ -93,7 +93,7 @@ private:
     std::uint16_t unacknowledged_ = 0; ///< blocks that were taken
     std::uint16_t untimely_ = 0;       ///< blocks that came too early since the last one that was taken
     Acknowledged acknowledged_ = Acknowledged::all;
-    bool is_missing_ = false; ///< what is to be told next
+    bool is_missing_ = false; ///< what is to be acknowledged next
     Crc32 crc_;
     Microseconds progressed_;
 };

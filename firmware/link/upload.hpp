@@ -52,7 +52,7 @@ public:
         with_sink([&](auto& sink) { transfer_.take(data, sink, now); });
         return Status::ok;
     }
-    /// Whether data that belong to no upload are to be told: once until the next one begins.
+    /// Whether data that belong to no upload are to be reported: once until the next one begins.
     bool reports_stray() { return !std::exchange(is_stray_reported_, true); }
 
     /// Fails with no_transfer, incomplete, bad_checksum, flash_failed or an error of SceneView::parse, or
@@ -129,7 +129,7 @@ public:
     }
 
     bool has_acknowledgement() const { return transfer_.has_acknowledgement(); }
-    /// How far it has come, if that is to be told now.
+    /// How far it has come, if that is to be acknowledged now.
     std::optional<Report> next_acknowledgement()
     {
         const auto progress = transfer_.next_acknowledgement();

@@ -41,7 +41,7 @@ struct Data {
     static constexpr void fields(auto&& io, auto& it) { io(it.block, it.bytes); }
 };
 
-/// How far an upload has come: the answer to begin, and told again and again while data come.
+/// How far an upload has come: the answer to begin, and sent again and again while data come.
 template <Kind which>
 struct Progress {
     static constexpr Kind kind = which;

@@ -122,7 +122,7 @@ concept InputBoard = Board<B> && requires(B& board) {
     { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
 };
 
-/// A board that is told drawings and texts of the scene while it plays. It knows the player from the moment in which it
+/// A board that sets drawings and texts of the scene while it plays. It knows the player from the moment in which it
 /// is ready until it is over: then it is null.
 template <class B>
 concept LiveInputBoard = Board<B> && requires(B& board, SceneState* player) {

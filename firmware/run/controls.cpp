@@ -62,7 +62,7 @@ Playhead Controls::playhead_of(const StoredName& clip) const
     return {stretch_named(clip), scene_.events()};
 }
 
-/// What is told covers the time since the question before: it counts if the bouncing was over by then.
+/// What is read covers the time since the question before: it counts if the bouncing was over by then.
 bool Controls::has_switched(Touch& touch, bool pressed, Microseconds now)
 {
     if (!touch.settled) {

@@ -55,7 +55,7 @@ void rest(B& board, Playhead& playhead, FrameClock& clock)
 }
 
 /// Shows frame after frame, each when `clock` says it is due, as long as the board is running. The events of
-/// a frame, and of those left out before it, are told before it is drawn.
+/// a frame, and of those left out before it, are reported before it is drawn.
 template <Board B, class Animation>
 void play(B& board, Animation& player, Playhead playhead, FrameClock clock)
 {

@@ -26,7 +26,7 @@ template <class C>
 concept UsbController =
     requires(C& controller, Endpoint endpoint, std::span<const std::byte> packet,
              std::span<std::byte, packet_bytes> place, std::uint8_t address) {
-    /// While one lives, the device is told nothing; it is told later.
+    /// While one lives, the device hears of nothing; it does later.
     typename C::EventsOff;
 
     /// Lets packets pass, the first of them as DATA0. What was given or accepted before is forgotten, and the

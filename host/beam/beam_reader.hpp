@@ -16,7 +16,7 @@ namespace kfast {
 inline constexpr schema::NodeForm beam_form{"beam", "beam galvo, or beam galvo rate=(kHz)30 corner-dwell=6",
                                             1, 1};
 
-/// `beam galvo rate=(kHz)30 corner-dwell=6 …`, of the form above: what is not told is as in the profile that
+/// `beam galvo rate=(kHz)30 corner-dwell=6 …`, of the form above: what is not given is as in the profile that
 /// is named. Reports what is wrong and then returns nothing.
 std::optional<BeamProfile> read_beam(const kdl::Node& node, schema::Report& report);
 

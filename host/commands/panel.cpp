@@ -45,7 +45,7 @@ PanelShow show_of(const PanelOptions& options, const BoardSettings& settings, co
 {
     const InputValues values = chosen_values(options.inputs, options.drawings, scene.view);
     PlayerSource trial{scene.view, settings.panel.size(), Fit::contain, PixelFormat::rgb565};
-    put_values(values, scene.view, trial); // a mistake is to be told before the display is touched
+    put_values(values, scene.view, trial); // a mistake is to be reported before the display is touched
     return {.panel = settings.panel,
             .scene = scene.bytes,
             .timeline = chosen_timeline(options.play, scene.view),

@@ -10,7 +10,7 @@
 
 namespace kfast::config {
 
-/// Settings while their text is read, and the nodes that told them; those live as long as the document.
+/// Settings while their text is read, and the nodes that they came from; those live as long as the document.
 struct Draft {
     BoardSettings settings;
     std::optional<std::uint32_t> clock; ///< without it, by what the display is rated for

@@ -10,7 +10,7 @@
 
 namespace kfast::config {
 
-/// The folders in which images of the Pico may lie, the first one first: the one that `told` names, and no
+/// The folders in which images of the Pico may lie, the first one first: the one that `given` names, and no
 /// other then; else `share/kfast/firmware` of the installation, or `build/pico` of the build tree, that the
 /// program belongs to (nothing if its place is not known).
 std::vector<std::filesystem::path> image_folders(const char* given,

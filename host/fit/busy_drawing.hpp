@@ -13,7 +13,7 @@ enum class Bustle : std::uint8_t {
     noise, ///< at every point: hardly anything is harder to draw
 };
 
-/// What may be told to the input `number` of the scene, a drawing: all the points that it takes, in as many
+/// What may come to the input `number` of the scene, a drawing: all the points that it takes, in as many
 /// strokes, from the left to the right of its usual drawing, or of the canvas where that has no extent.
 /// Another one for each `frame`, always the same.
 ReceivedDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame);

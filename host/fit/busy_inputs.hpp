@@ -11,7 +11,7 @@
 
 namespace kfast::fit {
 
-/// Tells a player what its scene's inputs could be told at worst.
+/// Sets a player's inputs to the worst that there may be.
 class BusyInputs {
 public:
     /// Frames in which the slowest input goes there and back.

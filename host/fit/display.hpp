@@ -22,7 +22,7 @@ struct Display {
     bool is_driven = true;         ///< there is a driver for it: boards and the preview show it, too
 };
 
-/// The same display, told pixels of another format.
+/// The same display, sent pixels of another format.
 Display taking(PixelFormat format, Display display);
 
 /// The controller of that name, or null.
@@ -34,7 +34,7 @@ std::span<const Display> displays();
 std::vector<std::string_view> display_names();
 /// The first one whose pixels have as many bits as those of `format`, or null.
 const Display* display_like(PixelFormat format);
-/// The remedy for a name that no controller has (host/text/suggestion.hpp).
+/// The hint for a name that no controller has (host/text/suggestion.hpp).
 std::string display_suggestion(std::string_view name);
 
 }

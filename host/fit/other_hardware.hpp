@@ -35,11 +35,11 @@ std::optional<std::string> other_board_text(std::string_view name);
 std::optional<std::string> other_board_advice(std::string_view name);
 /// The lines that describe it for `kfast fit --board`; empty if none help.
 std::string board_file(const OtherBoard& board);
-/// The remedy for a core whose costs are not known.
+/// The hint for a core whose costs are not known.
 std::optional<std::string> other_core_text(std::string_view name);
-/// The remedy for a display that `kfast fit` does not know.
+/// The hint for a display that `kfast fit` does not know.
 std::optional<std::string> other_panel_text(std::string_view name);
-/// The remedy for a display that there is no driver for, though `kfast fit` may know it.
+/// The hint for a display that there is no driver for, though `kfast fit` may know it.
 std::optional<std::string> undriven_panel_text(std::string_view name);
 
 }

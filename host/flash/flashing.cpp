@@ -32,7 +32,7 @@ Bytes read_sector(BootLoader& boot_loader, std::uint32_t address)
     return bytes;
 }
 
-/// Throws Failure with not_verified, whose text ends with `remedy`.
+/// Throws Failure with not_verified, whose text ends with `hint`.
 void require_sector(BootLoader& boot_loader, const Sector& expected, const char* hint)
 {
     const Bytes found = read_sector(boot_loader, expected.address);

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// What a device is to be told of live values, handed from the thread that reads them to the one that sends
+/// What a device is to be sent of live values, handed from the thread that reads them to the one that sends
 /// them. What has not been sent yet is replaced by what is newer.
 class LiveFeed {
 public:

@@ -78,7 +78,7 @@ void send_live(Session& session, LiveFeed& feed, Milliseconds keep_alive)
             last_sent = session.now();
         session.throw_pending_failure();
     }
-    session.ask<link::Playing>(link::AskPlaying{}); // what failed of the last values is told before
+    session.ask<link::Playing>(link::AskPlaying{}); // what failed of the last values is reported before
     session.throw_pending_failure();
 }
 

@@ -25,7 +25,7 @@ std::optional<Failure> failure_of(const std::function<void()>& act)
     }
 }
 
-/// Whoever is interrupted need not be told by every device.
+/// Whoever is interrupted need not be told so by every device.
 bool has_interruption(const Failures& failures)
 {
     for (const auto& failure : failures)

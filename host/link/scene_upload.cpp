@@ -9,7 +9,7 @@
 namespace kfast {
 namespace {
 
-/// So often a scene is sent from its beginning before somebody is told that it does not work.
+/// So often a scene is sent from its beginning before it is reported as a failure.
 constexpr int max_attempts = 4;
 /// So often a device may say that it has all blocks and then that it has not.
 constexpr int max_rounds = 16;

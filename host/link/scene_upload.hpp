@@ -19,7 +19,7 @@ link::Begin begin_in_ram(std::span<const std::byte> scene);
 
 /// Brings a scene to a device by the rules of docs/link.md: keeps the window full, goes back where something
 /// is missing, begins anew when the device has dropped the upload or found it damaged. If it is interrupted,
-/// the device is told so. `begin` is for these bytes.
+/// the device is asked for that. `begin` is for these bytes.
 ///
 /// Returns the tag of the upload, by which it can be cancelled. Throws what Session throws, and Refusal.
 std::uint8_t upload_scene(Session& session, const link::Begin& begin, std::span<const std::byte> scene,

@@ -56,7 +56,7 @@ std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds e
     }
 }
 
-/// Of what was told without a tag.
+/// Of what was sent without a tag.
 void Session::remember_failure(const link::Report& report)
 {
     const auto failure = link::message_of<link::Failure>(report);

@@ -58,7 +58,7 @@ public:
     {
         send(link::report_of(message, 0));
     }
-    /// Throws Refusal if something was refused that was told. Does not wait.
+    /// Throws Refusal if something was refused that was sent. Does not wait.
     void throw_pending_failure();
 
     /// Another one than those of late. Never 0.
@@ -87,7 +87,7 @@ private:
     ReportPipe& pipe_;
     Options options_;
     std::uint8_t tag_;
-    std::optional<link::Failure> pending_failure_; ///< the first failure of what was told
+    std::optional<link::Failure> pending_failure_; ///< the first failure of what was sent
 };
 
 /// Why the device does not do what it was asked for by a report of that kind, if this tells it. That a report

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Where a simulated board listens unless it is told another place: a socket of SOCK_SEQPACKET, over which
+/// Where a simulated board listens unless it is given another place: a socket of SOCK_SEQPACKET, over which
 /// reports of 64 bytes go both ways. Each user has one.
 inline std::string sim_socket_path()
 {

@@ -24,7 +24,7 @@ public:
     /// in place of a new one.
     virtual void accompany(Time /*moment*/) {}
     virtual Pace pace() const { return Pace::smooth; }
-    /// What is to be told about the picture that was shown last, on one line; empty if nothing.
+    /// What is to be said about the picture that was shown last, on one line; empty if nothing.
     virtual std::string facts() const { return {}; }
     /// Of all pictures so far.
     virtual Detail min_detail() const { return Detail::full; }

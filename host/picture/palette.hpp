@@ -14,7 +14,7 @@ class Palette {
 public:
     static constexpr std::size_t max = 256;
 
-    /// False when they would become more than `most`; then the palette is of no use.
+    /// False when they would become more than `max`; then the palette is of no use.
     bool add(const Picture& picture);
 
     std::vector<Colour> colours() const;

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// A live drawing as it is told: its strokes.
+/// A live drawing as it comes: its strokes.
 using ReceivedDrawing = std::vector<std::vector<InputPoint>>;
 
 /// Its strokes, as a player takes them; they live as long as the drawing.

@@ -234,7 +234,7 @@ struct TextInput {
     std::u32string default_value; ///< of these glyphs
 };
 
-/// A drawing that objects show until another is told, and what that one may have.
+/// A drawing that objects show until another is set, and what that one may have.
 struct DrawingInput {
     std::size_t strokes = 1;    ///< at most `points`
     std::size_t points = 1;     ///< of all strokes together
@@ -246,7 +246,7 @@ struct DrawingInput {
 struct Input {
     std::string name;
     std::int32_t min = 0;
-    std::int32_t max = 1000;        ///< more than `least`
+    std::int32_t max = 1000;        ///< more than `min`
     std::int32_t default_value = 0; ///< within both
     InputType type = InputType::number;
     TextInput text = {};       ///< only of a text

@@ -34,7 +34,7 @@ std::string shortest_text(double number, IsSame is_same)
     }
 }
 
-/// The remedy for a number that is not inside: "allowed: 0 to 1".
+/// The hint for a number that is not inside: "allowed: 0 to 1".
 std::string allowed(Range range);
 
 /// A number with a unit or without one; reports if it is none, and then returns null.

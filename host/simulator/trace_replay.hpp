@@ -15,8 +15,8 @@ public:
     /// `model` must outlive the replay.
     explicit TraceReplay(ControllerModel& model) : model_{model} {}
 
-    /// Calls `tell` with each note, when the model has received all that came before it. Throws Failure for
-    /// the first mistake on the wires.
+    /// Calls `on_note` with each note, when the model has received all that came before it. Throws Failure
+    /// for the first mistake on the wires.
     void play(std::span<const TraceRecord> trace, const std::function<void(std::string_view note)>& on_note);
 
 private:

@@ -32,7 +32,7 @@ private:
 };
 
 /// One diagnostic for a terminal: `name:line:column: error: message`, the line itself, a caret under the
-/// place, and the remedy. Long lines are cut around the place; control characters are made visible.
+/// place, and the hint. Long lines are cut around the place; control characters are made visible.
 std::string format(const Diagnostic& diagnostic, const SourceText& source);
 
 }

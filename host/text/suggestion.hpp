@@ -10,7 +10,7 @@ namespace kfast {
 /// close.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
 
-/// The remedy for a name that is not among `known`: did_you_mean() when one of them is close, else the list
+/// The hint for a name that is not among `known`: did_you_mean() when one of them is close, else the list
 /// of what is allowed, cut when it is long.
 std::string suggestion(std::string_view name, std::span<const std::string_view> known);
 

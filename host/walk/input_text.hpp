@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// The text that the input has until another is told, in UTF-8.
+/// The text that the input has until another is set, in UTF-8.
 std::string default_text(const TextInput& input);
 
 /// As many of one character as the input may have, in UTF-8.

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// The remedy for `word`, which is none of `known`, the words of the language that may stand in its place. It
+/// The hint for `word`, which is none of `known`, the words of the language that may stand in its place. It
 /// names the one that means what `word` does in CSS, SVG or another program ("KFAST calls it "rotate""), or
 /// the page about what the language has not (docs/scene-language.md#not-there); else as suggestion().
 std::string word_hint(std::string_view word, std::span<const std::string_view> known);

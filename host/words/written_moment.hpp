@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-/// The input that `clock` is.
+/// The input that `driver` is.
 InputView input_of(const SceneView& scene, Driver driver);
 
 /// A moment of keys as an author writes it: in frames, or in the values of the input that they go by.

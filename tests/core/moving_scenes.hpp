@@ -78,7 +78,7 @@ inline scene::Drawing hook()
 /// Filled white and stroked half red, 3 px wide, round; behind its head and tracks.
 inline Bytes style() { return bytes({1, 2, 48, 5}); }
 
-/// An object without tracks, `carrier` and all, with the keys.
+/// An object without tracks, `deformer` and all, with the keys.
 inline Bytes deformed(const Bytes& deformer, const std::vector<RawKey>& keys, int more_bits = 0)
 {
     return joined({bytes({0x98 | more_bits}), style(), deformer, key_bytes(keys)});

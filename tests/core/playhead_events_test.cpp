@@ -26,7 +26,7 @@ class Chance {
 public:
     explicit Chance(std::uint32_t seed) : engine_{seed} {}
 
-    /// 0 … `most`, without std's distributions, which differ between libraries.
+    /// 0 … `max`, without std's distributions, which differ between libraries.
     int upto(int max) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(max + 1)); }
 
     PlayRange stretch()

@@ -23,7 +23,7 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// For what goes to one of the devices; may be told from any thread.
+    /// For what goes to one of the devices; may be called from any thread.
     ByteProgressCallback of_device(std::size_t index);
 
 private:

@@ -12,7 +12,7 @@ namespace kfast {
 struct SceneHeader {
     std::string name;   ///< of the array
     std::string source; ///< of the file it was made from
-    Size panel;         ///< for which the memory is told
+    Size panel;         ///< for which the memory is counted
 };
 
 /// What kfast_create() must be lent (library/kfast.h) on the header's panel.

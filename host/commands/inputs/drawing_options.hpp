@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// What the drawings among the inputs of a scene are told, as chosen by --drawing NAME=FILE.
+/// What the drawings among the inputs of a scene are set to, as chosen by --drawing NAME=FILE.
 struct DrawingOptions {
     std::vector<std::string> texts; ///< as they are written
 };
@@ -36,7 +36,7 @@ void require_drawing(const std::string& text, const SceneView& scene);
 /// is no drawing, and Failure for a file that cannot be read.
 std::vector<DrawingValue> chosen_drawings(const DrawingOptions& options, const SceneView& scene);
 
-/// Tells them to `told`. Throws CLI::ValidationError for one that has too much.
+/// Applies them to `receiver`. Throws CLI::ValidationError for one that has too much.
 void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, InputReceiver& receiver);
 
 }

@@ -31,7 +31,7 @@ void require_input(const std::string& text, const SceneView& scene);
 /// CLI::ValidationError for an input that the scene has not, and for a value that it does not take.
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
-/// Puts them into `told`.
+/// Applies them to `receiver`.
 void put_inputs(const std::vector<InputValue>& values, const SceneView& scene, InputReceiver& receiver);
 
 }

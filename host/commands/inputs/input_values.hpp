@@ -15,7 +15,7 @@ struct InputValues {
 
 /// As chosen by --input and --drawing. Throws as chosen_inputs() and chosen_drawings().
 InputValues chosen_values(const InputOptions& inputs, const DrawingOptions& drawings, const SceneView& scene);
-/// Tells them to `told`. Throws as put_drawings().
+/// Applies them to `receiver`. Throws as put_drawings().
 void put_values(const InputValues& values, const SceneView& scene, InputReceiver& receiver);
 
 }

@@ -13,7 +13,7 @@
 
 namespace kfast {
 
-/// An input that live values may be told to.
+/// An input that live values may set.
 struct LiveInput {
     std::string name;
     InputType type = InputType::number;

@@ -12,7 +12,7 @@ enum class RenderSubject { moment, film, sprite_sheet, contact_sheet };
 enum class RenderKind { png, svg, folder, apng, gif, mp4, webm };
 
 /// Chosen by the ending of `output`'s name; without one a moment is a PNG, and a film goes into a folder.
-/// Throws CLI::ValidationError, with a remedy, for a name that is unknown or of another kind than the subject
+/// Throws CLI::ValidationError, with a hint, for a name that is unknown or of another kind than the subject
 /// can be.
 RenderKind render_kind(const std::filesystem::path& output, RenderSubject subject);
 

@@ -13,7 +13,7 @@ namespace kfast {
 namespace {
 
 constexpr InputKind uf2_input{"UF2 file", "a .uf2 file", "copy it again"};
-constexpr std::size_t max_mistakes = 20; ///< that are told one by one
+constexpr std::size_t max_mistakes = 20; ///< that are reported one by one
 
 std::string mistakes_text(const std::vector<Uf2Mistake>& mistakes)
 {

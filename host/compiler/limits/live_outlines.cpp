@@ -72,7 +72,7 @@ std::int32_t max_scale_factor(const Space& space, const Camera& camera)
     return max;
 }
 
-/// Of a drawing that is told.
+/// Of a drawing from outside.
 std::size_t bytes_of(const SceneOnPanel& on_panel, SceneWalk& walk)
 {
     const DrawingInput limits = on_panel.scene.input(walk.node().of).drawing;

@@ -15,7 +15,7 @@ namespace kfast {
 void report_excess(const scene::Scene& scene, const SceneView& view, const SceneTime& moment,
                    const LargestTexts& texts, Diagnostics& diagnostics);
 
-/// Likewise where the worst that live drawings may be told, `live` bytes, comes to `bytes` of others; at the
+/// Likewise where the worst that live drawings may be, `live` bytes, comes to `bytes` of others; at the
 /// one that may have most points.
 void report_live_excess(const scene::Scene& scene, const SceneTime& moment, std::size_t bytes,
                         std::size_t live, Diagnostics& diagnostics);

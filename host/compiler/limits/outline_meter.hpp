@@ -24,9 +24,9 @@ public:
 
     /// From the next picture on, the input `number` is `text` (Player::set_text).
     void put_text(std::uint32_t number, std::string_view text);
-    /// With nothing in the drawings that are told from outside. Valid until the next call.
+    /// With nothing in the drawings from outside. Valid until the next call.
     const raster::Picture& picture_at(const SceneTime& moment);
-    /// What these add at the same moment at most, whatever is told.
+    /// What these add at the same moment at most, whatever comes.
     std::size_t live_bytes() const;
 
 private:

@@ -20,7 +20,7 @@ namespace kfast {
 /// Found by playing the scene (host/compiler/limits/measured_moments.hpp), with the worst that live drawings
 /// may be told (host/compiler/limits/live_outlines.hpp), and adding an eighth: a moment between two of these
 /// may halve a few curves once more. A player whose picture finds no room all the same draws it with coarser
-/// curves. That is most of the work of compiling, and `tell` is told of it.
+/// curves. That is most of the work of compiling, and `on_progress` is called for it.
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
                                           Diagnostics& diagnostics,
                                           const ProgressCallback& on_progress = ignore_progress);

@@ -27,11 +27,11 @@ struct DrivenKeyTimes {
     friend auto operator<=>(const DrivenKeyTimes&, const DrivenKeyTimes&) = default;
 };
 
-/// Appends at least one beat as the core's KeyTimeCursor reads them (docs/format.md, "KeyTimes"); only says
-/// so if they are `usual` where they stand.
+/// Appends at least one key time as the core's KeyTimeCursor reads them (docs/format.md, "KeyTimes"); only
+/// says so if they are `default_value` where they stand.
 void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_value, ByteWriter& bytes);
 
-/// The usual beats of what has keys of its own: a single one, at 0.
+/// The usual key times of what has keys of its own: a single one, at 0.
 inline const DrivenKeyTimes one_key_time{{{}}};
 
 }

@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// When the keys of a track are on its `clock`, or of what is stored as one. Smooth ones have no laws.
+/// When the keys of a track are on its `driver`, or of what is stored as one. Smooth ones have no laws.
 DrivenKeyTimes key_times_of(const std::vector<scene::TrackKey>& keys, Driver driver, bool is_smooth,
                             LawTable& laws);
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);

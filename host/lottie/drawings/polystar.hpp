@@ -22,8 +22,8 @@ struct Polystar {
     bool counterclockwise = false;
 };
 
-/// Closed, from the tip that `turn` is about. Its curves are cubics if `is_round`, whatever the roundness now
-/// is.
+/// Closed, from the tip that `rotation` is about. Its curves are cubics if `is_round`, whatever the roundness
+/// now is.
 scene::Outline outline_of(const Polystar& star, bool is_round);
 
 }

@@ -20,8 +20,8 @@ struct LayerTime {
 
 /// A property (an object with "k") as a number over time: of its component `index`, if it has several. With
 /// eases that differ from one component to the next, each takes its own. A negative stretch turns the keys
-/// round. `factor` multiplies the values (percent: 0.01). A property that is missing is `usual`; one of
-/// another kind throws Failure.
+/// round. `factor` multiplies the values (percent: 0.01). A property that is missing is `default_value`; one
+/// of another kind throws Failure.
 art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double default_value,
                           double factor, const LayerTime& time, art::Budget& budget);
 

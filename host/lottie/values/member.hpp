@@ -29,7 +29,7 @@ inline constexpr double largest_number = 1e9;
 /// Nothing if there is none, if it is null, or if `owner` is no object.
 const Json* find_member(const Json& owner, const char* name);
 
-/// Each throws WrongMember where the value is of another kind; `usual` is what a missing member is.
+/// Each throws WrongMember where the value is of another kind; `default_value` is what a missing member is.
 double number_of(const Json& value);
 double number_at(const Json& owner, const char* name, double default_value);
 double number_at(const Json& owner, const char* name);

@@ -28,7 +28,7 @@ public:
     BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit);
 
     /// For the picture at a moment, after the one that was asked for before; if that is the same moment and
-    /// nothing differs, what was told then. The first one comes after the picture a frame earlier; at the
+    /// nothing differs, what was set then. The first one comes after the picture a frame earlier; at the
     /// beginning of the scene nothing is shown before it.
     const SentAreas& show(Time moment);
 

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// A player in memory of its own, to be told what the scene takes from outside.
+/// A player in memory of its own, whose inputs can be set.
 class StandalonePlayer : public InputReceiver {
 public:
     /// `scene`'s bytes must outlive it.

@@ -24,7 +24,7 @@ struct HelpPage {
 /// Keys and what they do, in as few columns as they fit in, and on several pages where that is not enough.
 ///
 /// `rows` begin with the name of a key, then at least one space. Long ones are wrapped. No line leaves a grid
-/// of `most` cells, each side of which counts as 1 at least. There is at least one page; of several, each
+/// of `max` cells, each side of which counts as 1 at least. There is at least one page; of several, each
 /// tells at its end which it is and that `h` turns it.
 std::vector<HelpPage> help_pages(std::span<const std::string> rows, Size max);
 

@@ -33,7 +33,7 @@ public:
     /// are in order. Pixels where nothing of the neighbours is seen are exactly as `source` has them. Valid
     /// until the next call.
     const Picture& show(FrameSource& source, Time moment, std::span<const Time> keys);
-    /// The pictures of key frames are not known any more: an input was told, or the source is another.
+    /// The pictures of key frames are not known any more: an input was set, or the source is another.
     void forget();
 
 private:

@@ -15,7 +15,7 @@
 
 namespace kfast {
 
-/// Makes what is drawn over the pictures of one scene. Its inputs are to be told as those of the FrameSource
+/// Makes what is drawn over the pictures of one scene. Its inputs are to be set as those of the FrameSource
 /// that makes the pictures.
 class OverlaySource final : public InputReceiver {
 public:

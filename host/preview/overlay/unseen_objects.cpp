@@ -109,7 +109,7 @@ std::vector<Time> frames_of(const SceneView& scene)
     return moments;
 }
 
-/// From 0 to `end`: evenly spaced ones, those of all keys that go by `clock`, and halfway between them.
+/// From 0 to `end`: evenly spaced ones, those of all keys that go by `driver`, and halfway between them.
 std::vector<Time> sample_moments(const SceneView& scene, Driver driver, Time end)
 {
     constexpr int spaces = 16;

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Where on `clock` any drawing, track or bone of the scene has a key, in groups and symbols too: in order,
+/// Where on `driver` any drawing, track or bone of the scene has a key, in groups and symbols too: in order,
 /// each moment once.
 std::vector<Time> key_times(const SceneView& scene, Driver driver = {});
 /// Likewise those of `item` itself, and of the bones or backbones that carry it; not of what lies in it.

@@ -43,7 +43,7 @@ public:
     /// Stepping keys also pause, another clip plays, and every key but `help` closes the help.
     void press(PreviewKey key, Seconds now);
     void advance_to(Seconds now);
-    /// Who is told the events that are passed, in order; nobody at first.
+    /// Who hears of the events that are passed, in order; nobody at first.
     void set_on_event(OnEvent on_event) { on_event_ = std::move(on_event); }
     /// Plays as slowly as a board, from here on: what is shown are the frames that it comes to. As ever if
     /// that is empty.

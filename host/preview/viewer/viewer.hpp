@@ -47,7 +47,7 @@ public:
 
     /// While it works, any key but stops the work.
     void press(PreviewKey key, Seconds now);
-    /// Who is told the events that are passed, in order.
+    /// Who hears of the events that are passed, in order.
     void set_on_event(PreviewPlayback::OnEvent on_event);
     /// Another file, or the same afresh: from its beginning, with nothing selected. If that fails, what was
     /// open goes on, errors() says why, and it is tried again when that file changes.
@@ -103,7 +103,7 @@ public:
     const std::vector<std::string>& errors() const { return reader_.errors(); }
     /// What was done last and is worth telling: "eyes-0012.png is written".
     const std::string& notice() const { return notice_; }
-    /// Another one each time that something is told, the same words again, too.
+    /// Another one each time that something is shown, the same words again, too.
     std::uint64_t notice_number() const { return notice_number_; }
     /// That of the playback, then "  all frames" while space steps through them, "  selected lamp", and what
     /// view() shows, "  onion skin  zoom 2".

@@ -35,7 +35,7 @@ public:
 
     /// Adds `node`, a bone, and all inside of it; reports what is wrong.
     void read(const kdl::Node& node) { read(node, std::nullopt); }
-    /// Finds the parents that are told by name. Reports those that are not there.
+    /// Finds the parents that are given by name. Reports those that are not there.
     std::vector<WrittenBone> take();
     /// Nothing was wrong with those that were read, nor with their parents.
     bool is_valid() const { return is_good_; }

@@ -46,7 +46,7 @@ std::optional<KeyDriver> read_key_driver(const kdl::Value& value, SceneContext& 
 /// Warns of a property `input` of `node`, an item, that has no keys itself.
 void warn_of_idle_input(const kdl::Node& node, bool has_keys, SceneContext& context);
 
-/// For the table of properties of something that has a `clock`.
+/// For the table of properties of something that has a `driver`.
 template <class Target>
 bool read_own_clock(const kdl::Value& value, Target& target, SceneContext& context)
 {

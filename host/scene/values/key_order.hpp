@@ -15,7 +15,7 @@ struct PlacedMoment {
     SourceSpan place;
 };
 
-/// Whether `at`, a `noun` such as "key", is later than `before` on their `clock`, and reports it if not.
+/// Whether `at`, a `noun` such as "key", is later than `before` on their `driver`, and reports it if not.
 bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyDriver& driver,
                  SceneContext& context);
 

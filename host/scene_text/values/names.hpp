@@ -9,7 +9,8 @@
 
 namespace kfast::scene_text {
 
-/// `name` without what names of scenes must not hold, 1 to 255 bytes; `usual` if nothing is left of it.
+/// `name` without what names of scenes must not hold, 1 to 255 bytes; `default_value` if nothing is left of
+/// it.
 std::string clean_name(std::string_view name, std::string_view default_value);
 
 /// Names that are all different.

@@ -7,7 +7,7 @@ namespace kfast::svg {
 enum class Care {
     read,     ///< the scene has it
     silent,   ///< nothing of the picture depends on it
-    reported, ///< a loss unless it is `usual`
+    reported, ///< a loss unless it is `default_value`
     unknown,
 };
 

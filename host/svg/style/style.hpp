@@ -27,7 +27,7 @@ public:
 
     /// Empty where it is not set.
     std::string_view operator[](std::string_view property) const;
-    /// `usual` where it is not set.
+    /// `default_value` where it is not set.
     std::string_view get(std::string_view property, std::string_view default_value) const;
     void set(const std::string& property, std::string_view value);
 

@@ -49,7 +49,7 @@ TEST_CASE("skeletons, byte by byte")
     CHECK(written({robot, still}) ==
           bytes({
               39, 2,                                  // two bones
-              2,  0x82, 0x03, 0x38,                   // common beats: times in 4 frames; laws 1 and 0
+              2,  0x82, 0x03, 0x38,                   // common key times: times in 4 frames; laws 1 and 0
               0,  0x81, 0x00, 0xC0, 0xF0, 1, 1,  60,  // root
               0,  0xC8, 0x9D, 2,    0x8F, 0,          // its angles, in 64 units: 0, -143
               1,  0x95, 0xFF, 0xFF, 120,  0, 32,      // child

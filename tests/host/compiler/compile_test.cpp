@@ -19,11 +19,11 @@ TEST_CASE("a drawing that is shown again is stored once, also in another object"
     const auto once = compiled(with_object("object a fill=white { key 0 " + shape + " }")).size();
     const auto again =
         compiled(with_object("object a fill=white { key 0 " + shape + "; key 9 " + shape + " }")).size();
-    CHECK(again == once + 4); // beats in place of the usual ones
+    CHECK(again == once + 4); // key times in place of the usual ones
     const auto twice = compiled(with_object("object a fill=white { key 0 " + shape + " }\n" +
                                             "object b fill=white { key 0 " + shape + " }"))
                            .size();
-    CHECK(twice == once + 4); // style, colour, beats, drawing
+    CHECK(twice == once + 4); // style, colour, key times, drawing
 }
 
 TEST_CASE("times of every kind come back as they were written")

@@ -14,7 +14,7 @@ public:
 
     /// 0 … `limit` − 1
     std::size_t below(std::size_t limit) { return random_() % limit; }
-    /// `least` … `most`
+    /// `min` … `max`
     int within(int min, int max)
     {
         return min + static_cast<int>(below(static_cast<unsigned>(max - min + 1)));

@@ -202,7 +202,7 @@ TEST_CASE("a drawing is stored once, whoever shows it")
     const scene::Drawing shape = curve({0, 0}, {900, 0}, {0, 900}, {900, 900});
     const auto shown = [&shape](int frame) { return key(frame, shape); };
     const std::size_t once = size_of({item(filled({shown(0)}))});
-    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 4); // it has beats
+    CHECK(size_of({item(filled({shown(0), shown(1)}))}) == once + 4); // it has key times
     CHECK(size_of({item(filled({shown(0)})), item(filled({shown(0)}))}) == once + 4);
     const scene::Scene with_symbol =
         scene_of({item(filled({shown(0)})), item(scene::Use{0})}, {{"again", {item(filled({shown(0)}))}}});

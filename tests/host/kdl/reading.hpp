@@ -11,7 +11,7 @@ std::string reading(std::string_view text);
 /// What is wrong with a document: `line:column: message` for each error and warning, a line each.
 std::string errors(std::string_view text);
 
-/// The remedy of the first of them.
+/// The hint of the first of them.
 std::string hint(std::string_view text);
 
 }
