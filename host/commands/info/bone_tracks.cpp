@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t widest_quantity = 8; ///< of a quantity, and a space
 
-constexpr std::array<const char*, bone_quantity_count> names{"angle", "x", "y", "length"};
+constexpr std::array<const char*, bone_quantity_count> quantity_names{"angle", "x", "y", "length"};
 
 double value_of(BoneQuantity quantity, std::int32_t value)
 {
@@ -61,7 +61,7 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
 {
     const auto quantity = static_cast<BoneQuantity>(number);
     const BoneKeys& keys = bone.keys_of(quantity);
-    Json facts{{"property", names.at(number)}};
+    Json facts{{"property", quantity_names.at(number)}};
     if (keys.kind() == BoneKeys::Kind::none) {
         facts["value"] = value_of(quantity, bone.at_rest(quantity));
         return facts;
