@@ -15,8 +15,8 @@
 using namespace kfast;
 
 const StrokeFeature kfast_strokes{.emplace = emplace_stroke_outline};
-const TweenFeature kfast_tweens{.trace = plain_function<&ObjectStrokes::trace_way<ObjectOutline>>,
-                                .trace_kept = plain_function<&ObjectStrokes::trace_kept_way>};
+const TweenFeature kfast_tweens{.trace = plain_function<&ObjectStrokes::trace_tween<ObjectOutline>>,
+                                .trace_kept = plain_function<&ObjectStrokes::trace_kept_tween>};
 const BoneFeature kfast_bones{.check = are_bones_valid,
                               .check_skin = plain_function<&SceneCheck::check_skin>,
                               .prepare = plain_function<&Preparer::add_skeletons>,

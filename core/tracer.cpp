@@ -155,8 +155,8 @@ void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
     const ItemState state = walk.state();
     const Projection projection{walk.space(), on_panel_.camera};
     ObjectOutline outline{picture_.outlines, ViewProjection{nullptr, picture_.coarseness}};
-    outline.stroke_with(pen_for(walk.node().style, state.width(), projection.growth_facing(state.pivot())),
-                        pens());
+    outline.stroke_with(
+        pen_for(walk.node().style, state.width(), projection.scale_factor_facing(state.pivot())), pens());
     add_layer(Part::stroke, walk, [&] { strokes.trace(projection, outline); });
 }
 
@@ -221,7 +221,7 @@ void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_poi
         [&] { return projection.scale_factor_at(first_point()); }, trace);
 }
 
-/// growth() is by what the pen grows.
+/// scale_factor() is by what the pen grows.
 void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
                         FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace)
 {

@@ -22,11 +22,11 @@ struct BeamReport {
     std::uint32_t lit_points = 0;
     std::uint64_t lit_length = 0;
     std::uint64_t blanked_length = 0;
-    std::uint32_t lines = 0;           ///< that are drawn
-    std::uint32_t corners = 0;         ///< of all lines, their ends included
-    std::uint32_t compared = 0;        ///< travels, more or less, to find the order of the lines
-    int speed_level = 0;               ///< the beam is 2^(haste / 4) times as fast, to keep within the budget
-    bool is_complete = true;           ///< there was room and time for all lines
+    std::uint32_t lines = 0;    ///< that are drawn
+    std::uint32_t corners = 0;  ///< of all lines, their ends included
+    std::uint32_t compared = 0; ///< travels, more or less, to find the order of the lines
+    int speed_level = 0;        ///< the beam is 2^(speed_level / 4) times as fast, to keep within the budget
+    bool is_complete = true;    ///< there was room and time for all lines
     std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as written
 };
 

@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    /// Less haste never takes fewer points.
+    /// A lower speed level never takes fewer points.
     void find_speed_level(int guess)
     {
         int too_slow = -1;

@@ -31,7 +31,7 @@ struct BeamTiming {
     static constexpr std::uint32_t max_refresh = 100; ///< pictures of a laser in a second
 };
 
-/// `budget` is at least 1. The pace does not depend on `guess`, a haste that is tried first.
+/// `budget` is at least 1. The timing does not depend on `guess`, a speed level that is tried first.
 BeamTiming find_timing(const BeamLines& lines, std::span<const BeamLeg> legs, const BeamProfile& profile,
                        std::uint32_t budget, int guess);
 

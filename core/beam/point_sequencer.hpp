@@ -22,7 +22,7 @@ namespace kfast {
 /// only a corner between them.
 class PointSequencer {
 public:
-    /// `lines`, `legs` and the gait's profile must outlive it. For `pause` points the beam rests, blanked,
+    /// `lines`, `legs` and the step profile must outlive it. For `pause` points the beam rests, blanked,
     /// before it begins.
     PointSequencer(const BeamLines& lines, std::span<const BeamLeg> legs, const StepProfile& step_profile,
                    std::uint32_t pause);

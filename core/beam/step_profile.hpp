@@ -7,8 +7,8 @@
 
 namespace kfast {
 
-/// How far a beam goes from point to point, and how long it waits, at some haste. Four of haste are twice as
-/// fast.
+/// How far a beam goes from point to point, and how long it waits, at some speed level. Four more are twice
+/// as fast.
 class StepProfile {
 public:
     /// As fast as can be: every line is crossed at once.

@@ -75,7 +75,7 @@ class OpCounter {
 public:
     virtual ~OpCounter() = default;
 
-    /// The counts of what is done for an item, by Work; valid until the next call.
+    /// The counts of what is done for an item, by Op; valid until the next call.
     virtual std::uint32_t* counts_for(std::uint32_t path) = 0;
 
     std::uint32_t* counts = nullptr; ///< of the present item

@@ -21,7 +21,7 @@ bool is_small(const Affine& map)
            is_small_distance(static_cast<std::int32_t>(map.y0));
 }
 
-/// Of two modest ones.
+/// Of two small ones.
 Affine short_product(const Affine& outer, const Affine& inner)
 {
     const auto x0 = static_cast<std::int32_t>(inner.x0);

@@ -93,7 +93,7 @@ Projection Projection::in_front(Fixed z) const
     return moved;
 }
 
-std::int32_t Projection::growth_facing(Point point) const
+std::int32_t Projection::scale_factor_facing(Point point) const
 {
     const auto length = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         return std::uint64_t{square_root(static_cast<std::uint64_t>(x * x + y * y + z * z))};

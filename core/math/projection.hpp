@@ -30,7 +30,7 @@ public:
     [[gnu::cold]] Projection in_front(Fixed z) const;
     /// By what lengths grow that face the viewer at `point`, however the plane is turned, in Q16: the mean of
     /// what those along x and along y of the item do.
-    [[gnu::cold]] std::int32_t growth_facing(Point point) const;
+    [[gnu::cold]] std::int32_t scale_factor_facing(Point point) const;
 
 private:
     Point seen(Point point) const;

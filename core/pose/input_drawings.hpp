@@ -16,7 +16,7 @@ public:
     static std::size_t bytes_for(const SceneView& scene);
 
     InputDrawings() = default;
-    /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows what is usual.
+    /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows what is default.
     InputDrawings(const SceneView& scene, std::span<std::byte> memory);
 
     /// Shows all of them as they are before anything has come: part of making them, for the feature.

@@ -16,7 +16,7 @@ public:
     static std::size_t bytes_for(const SceneView& scene);
 
     InputTexts() = default;
-    /// `memory` has bytes_for(scene). Holds what is usual.
+    /// `memory` has bytes_for(scene). Holds what is default.
     InputTexts(const SceneView& scene, std::span<std::byte> memory);
 
     /// The glyphs of the input `number` of `scene`, the one that these were made for; it is a text.

@@ -63,7 +63,8 @@ void ObjectStrokes::trace(PictureCache& cache, const Affine& placement, ObjectOu
         tweens->trace_kept(*this, cache, placement, outline);
 }
 
-void ObjectStrokes::trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const
+void ObjectStrokes::trace_kept_tween(PictureCache& cache, const Affine& placement,
+                                     ObjectOutline& outline) const
 {
     const PosedBackbones* const deformers = backbones(&cache); // first, for it may write to the cache
     const bool is_held =

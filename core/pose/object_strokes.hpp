@@ -47,7 +47,7 @@ public:
         if (is_one_drawing())
             return trace_from(placement, outline);
         if constexpr (!std::same_as<Outline, ObjectOutline>)
-            trace_way(placement, outline);
+            trace_tween(placement, outline);
         else if (const TweenFeature* const tweens = on_panel_.scene.features().tweens)
             tweens->trace(*this, placement, outline);
     }
@@ -65,13 +65,13 @@ public:
 
     /// On the way to the next key. Apart, for it takes much of the stack.
     template <class Outline>
-    [[gnu::noinline]] void trace_way(const Affine& placement, Outline& outline) const
+    [[gnu::noinline]] void trace_tween(const Affine& placement, Outline& outline) const
     {
         PosedStrokes strokes = posed_strokes(placement);
         strokes.trace(outline);
     }
     /// The same from the cache, if both drawings find room there.
-    void trace_kept_way(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
+    void trace_kept_tween(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
     /// A key drawing, carried by a skin.
     DeformedDrawing deformed_by_bones(std::uint32_t drawing, std::int32_t skin) const;
     /// The backbones that carry the object. Their drawings are kept if there is a cache.

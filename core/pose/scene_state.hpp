@@ -18,12 +18,12 @@ namespace kfast {
 class SceneState {
 public:
     /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
-    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their usual values.
+    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their default values.
     void set_input(std::uint32_t number, Time place);
     Time input(std::uint32_t number) const { return inputs_[number]; }
     /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
     /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
-    /// inputs have their usual texts. One that is no text stays as it is.
+    /// inputs have their default texts. One that is no text stays as it is.
     void set_text(std::uint32_t number, std::string_view text);
     /// The glyphs of the input `number` of the scene, a text, by their numbers.
     std::span<const std::byte> text(std::uint32_t number) const
@@ -31,7 +31,7 @@ public:
         return on_panel_.texts.glyphs(scene(), number);
     }
     /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
-    /// counts; at first it is the usual one. Whether there is room for them; if not, nothing changes.
+    /// counts; at first it is the default one. Whether there is room for them; if not, nothing changes.
     bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes);
     /// Likewise what has come to drawing(number).
     void show_next_drawing(std::uint32_t number);

@@ -10,7 +10,7 @@
 namespace kfast::raster {
 
 /// What the panel shows: where the borders of layers ran in each band of rows of the last picture. It is read
-/// band by band while that of the coming picture is written into the same memory:
+/// band by band while that of the next picture is written into the same memory:
 ///
 ///     | written >   free   | still to be read |
 ///
@@ -47,7 +47,7 @@ public:
     void pass_band(int band, std::span<const PaintStep> shown);
     /// Of the next band: what was in it, until add() is called; nothing if it is not known.
     std::span<const Border> begin_band(int band);
-    /// Chains of the band in the coming picture.
+    /// Chains of the band in the next picture.
     void add(const Chain& chain);
     void end_band();
     /// It is not known what the panel shows of it.

@@ -37,7 +37,7 @@ constexpr unsigned number_of(SlotMask bit)
 #endif
 }
 
-/// Layers of the coming picture and of the one that the panel shows, in one order: slot 31 for the lowest of
+/// Layers of the next picture and of the one that the panel shows, in one order: slot 31 for the lowest of
 /// a set of layers, and so on upwards. A layer that both have has one slot.
 class Slots {
 public:
@@ -45,7 +45,7 @@ public:
     struct Layer {
         const PaintStep* next = nullptr;
         const PaintStep* shown = nullptr;
-        std::uint32_t ink = 0;   ///< of the coming picture, see cells.hpp
+        std::uint32_t ink = 0;   ///< of the next picture, see cells.hpp
         std::uint32_t share = 0; ///< likewise, of its opacity
     };
 
@@ -54,7 +54,7 @@ public:
 
     /// The steps of both pictures, whose partners are found.
     [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> next, std::span<PaintStep> shown);
-    /// Whether a layer of the coming picture has the same outlines as its partner, and looks the same.
+    /// Whether a layer of the next picture has the same outlines as its partner, and looks the same.
     bool is_same(const PaintStep& next) const
     {
         return next.partner != PaintStep::no_partner && has_same_outlines(next, shown_[next.partner]) &&
@@ -87,10 +87,10 @@ public:
 
     SlotMask same = 0;       ///< outlines and rule are those of the shown picture
     SlotMask recoloured = 0; ///< colour or opacity, or that of a group around it, is another one
-    SlotMask clear = 0;      ///< of the coming picture: not opaque, or within a group
+    SlotMask clear = 0;      ///< of the next picture: not opaque, or within a group
     SlotMask shown_clear = 0;
-    SlotMask grouped = 0;  ///< of the coming picture, within a group
-    SlotMask even_odd = 0; ///< of the coming picture
+    SlotMask grouped = 0;  ///< of the next picture, within a group
+    SlotMask even_odd = 0; ///< of the next picture
 
 private:
     static bool has_same_outlines(const PaintStep& next, const PaintStep& shown)

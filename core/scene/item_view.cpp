@@ -13,13 +13,13 @@ constexpr std::uint32_t filled_bit = 1 << 3;
 constexpr std::uint32_t stroked_bit = 1 << 4;
 constexpr std::uint32_t even_odd_bit = 1 << 5;
 constexpr std::uint32_t arrivals_bit = 1 << 6;
-constexpr std::uint32_t carried_bit = 1 << 7;
+constexpr std::uint32_t deformed_bit = 1 << 7;
 constexpr std::uint32_t beam_bit = 1 << 7; ///< beside the number of tracks
 
 bool is_known(std::uint32_t head, ItemKind kind)
 {
     const std::uint32_t style_bits = filled_bit | stroked_bit | even_odd_bit;
-    const std::uint32_t key_bits = arrivals_bit | carried_bit;
+    const std::uint32_t key_bits = arrivals_bit | deformed_bit;
     switch (kind) {
     case ItemKind::object:
         return true;
@@ -106,7 +106,7 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
     object.has_depths = has_depths;
     object.style = take_style(bytes, head);
     object.has_arrivals = (head & arrivals_bit) != 0;
-    if ((head & carried_bit) != 0)
+    if ((head & deformed_bit) != 0)
         read_deformer(bytes, object);
     object.key_bytes = bytes;
     object.take_keys(bytes);

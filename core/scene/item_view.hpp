@@ -104,7 +104,7 @@ struct ObjectView {
 
 enum class ItemKind : std::uint8_t { object, group, use, live };
 
-/// In the place of a InputLeaf: the item is an object that is a wire frame.
+/// In the place of an InputLeaf: the item is an object that is a wire frame.
 inline constexpr std::uint32_t wire_kind = 2;
 
 /// What a live item shows.

@@ -29,12 +29,12 @@ KeyTimeCursor KeyTimeCursor::one()
     return key_times;
 }
 
-KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& default_value)
+KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& default_key_times)
 {
     const std::byte* const place = bytes.rest().data();
     const std::uint32_t count = bytes.varint();
     if (count == 0)
-        return default_value;
+        return default_key_times;
     const std::uint32_t form = bytes.u16();
     KeyTimeCursor key_times;
     key_times.place_ = place;

@@ -16,16 +16,16 @@ struct KeyTime {
     std::uint32_t index = 0; ///< how many come before
 };
 
-/// Reads key times in the order of their times (docs/format.md, "KeyTimes").
+/// Reads key times in the order of their times (docs/format.md, "Key times").
 class KeyTimeCursor {
 public:
     /// No key times.
     KeyTimeCursor() = default;
     /// A single key time, at 0.
     static KeyTimeCursor one();
-    /// Takes `bytes` as far as the key times go; `default_value` if they say so. What breaks off or has a
+    /// Takes `bytes` as far as the key times go; `default_key_times` if they say so. What breaks off or has a
     /// form without a meaning is past the end of `bytes`.
-    static KeyTimeCursor take(ByteReader& bytes, const KeyTimeCursor& default_value);
+    static KeyTimeCursor take(ByteReader& bytes, const KeyTimeCursor& default_key_times);
 
     bool at_end() const { return index_ == count_; }
     /// Only when not at the end, and when no time before was beyond the format's limit.

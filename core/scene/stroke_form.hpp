@@ -28,7 +28,8 @@ constexpr std::int32_t predicted_end(std::int32_t out, std::int32_t in) { return
 struct StrokeForm {
     /// Vectors have at most so many bits: the difference of two 16-bit coordinates.
     static constexpr std::uint32_t max_bits = 17;
-    /// Those of control points have fewer than those of ends by at most this; more only if they are foretold.
+    /// Those of control points have fewer than those of ends by at most this; more only if they are
+    /// predicted.
     static constexpr std::uint32_t max_fewer_bits = 7;
 
     SegmentMix mix = SegmentMix::lines;
@@ -36,8 +37,8 @@ struct StrokeForm {
     /// Whether one bit tells that a first control point goes on where the second one before came from: not at
     /// all if 0, exactly if 1, else but for a vector of so many bits.
     std::uint8_t smooth = 0;
-    /// Bits of the first control points of cubics that are foretold: of their second control points and their
-    /// ends only what differs from predicted_end() and the like is stored. 0 if they are not.
+    /// Bits of the first control points of cubics that are predicted: of their second control points and
+    /// their ends only what differs from predicted_end() and the like is stored. 0 if they are not.
     std::uint8_t predicted = 0;
     VectorForm ends;     ///< of segments, from their beginnings
     VectorForm controls; ///< of cubics: the first from the beginning, the second from the end
@@ -50,7 +51,7 @@ struct StrokeForm {
     /// Of 16 bits. What has no meaning in them is left out: packed() tells.
     static StrokeForm unpacked(std::uint32_t head);
     std::uint32_t packed() const;
-    /// Makes a form that is unpacked one whose curves are foretold, from a byte; foretelling() tells what had
+    /// Makes a form that is unpacked one whose curves are predicted, from a byte; predicting() tells what had
     /// a meaning.
     void predict(std::uint32_t byte);
     std::uint32_t predicting() const;

@@ -54,7 +54,7 @@ constexpr std::uint32_t bit_of_input(std::uint32_t number) { return std::uint32_
 /// Where an input stands at its greatest value; at its least it stands at 0.
 inline constexpr Time whole_input{65536};
 
-/// Where all clocks of a scene stand at once.
+/// Where all drivers of a scene stand at once.
 class SceneTime {
 public:
     /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not set is at 0.

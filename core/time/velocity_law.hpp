@@ -83,17 +83,18 @@ constexpr bool is_valid(const VelocityLaw& law)
 /// - steps: k/n, rounded to nearest, from the share on that is nearest to k/n. So a step is not missed at a
 ///   moment whose share has been rounded down.
 /// - bezier: within 0.6 units of the exact value at a time that is within 0.1 units of `time`, and so within
-///   0.6 + 0.1 times the slope. Never falls where y1 and y2 are in 0 … 1. Leaves 0 … 1 as way_range() says.
+///   0.6 + 0.1 times the slope. Never falls where y1 and y2 are in 0 … 1. Leaves 0 … 1 as progress_range()
+///   says.
 Progress progress(const VelocityLaw& law, Fraction time);
 
-struct WayRange {
+struct ProgressRange {
     Progress min = {0};             ///< or below
     Progress max = {Progress::one}; ///< or above
 };
 
 /// A bound on the way, from -1.5 … 0 to 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve
 /// no further than 3/4 d: the weights of both control points together are 3 s (1 - s).
-constexpr WayRange way_range(const VelocityLaw& law)
+constexpr ProgressRange progress_range(const VelocityLaw& law)
 {
     if (law.kind != VelocityLaw::Kind::bezier)
         return {};

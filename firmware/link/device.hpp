@@ -54,7 +54,7 @@ concept Device = requires(D& device, const D& same, const SceneSelection& select
     /// Where a UF2 file puts a scene, perhaps with more bytes after it.
     { same.built_in() } -> std::same_as<std::span<const std::byte>>;
 
-    /// From the beginning, as authored, not paused; `scene` is that of the programme. Fails with block_too_small or
+    /// From the beginning, as authored, not paused; `scene` is that of the selection. Fails with block_too_small or
     /// unsupported, and then what played plays on.
     { device.play(selection, scene) } -> std::same_as<Status>;
     /// Nothing plays, and the display says so.

@@ -75,7 +75,7 @@ class FieldReader {
 public:
     explicit FieldReader(std::span<const std::byte> bytes) : from_{bytes} {}
 
-    bool is_valid() const { return is_right_; }
+    bool is_valid() const { return is_valid_; }
 
     template <class... Fields>
     void operator()(Fields&... fields)
@@ -87,7 +87,7 @@ private:
     void read(bool& value)
     {
         const std::uint32_t code = from_.u8();
-        is_right_ = is_right_ && code <= 1;
+        is_valid_ = is_valid_ && code <= 1;
         value = code != 0;
     }
     void read(std::byte& value) { value = static_cast<std::byte>(from_.u8()); }
@@ -128,14 +128,14 @@ private:
     {
         if constexpr (std::is_enum_v<T>) {
             value = static_cast<T>(from_.u8());
-            is_right_ = is_right_ && is_known(value);
+            is_valid_ = is_valid_ && is_known(value);
         } else {
             T::fields(*this, value);
         }
     }
 
     ByteReader from_;
-    bool is_right_ = true;
+    bool is_valid_ = true;
 };
 
 /// What a device sends.

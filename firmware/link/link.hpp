@@ -95,7 +95,7 @@ public:
         answers_ = {};
     }
 
-    /// What plays when the device starts plays (Repertoire).
+    /// What plays when the device starts plays (SceneLibrary).
     StatusWithNumber play_start() { return library_.play_start(); }
 
     /// Whether there is something to fetch.

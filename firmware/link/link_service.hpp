@@ -39,7 +39,7 @@ concept Pipe = requires(P& pipe, const ReportBytes& report) {
 template <Pipe P, Flash F>
 class LinkService {
 public:
-    /// All of them must outlive the conversation. Nobody else changes the slots.
+    /// All of them must outlive the service. Nobody else changes the slots.
     LinkService(P& pipe, PlaybackSession& playback, SlotStore<F>& slots)
         : pipe_{pipe}, playback_{playback}, link_{playback, slots}, connection_{pipe.connections()}
     {

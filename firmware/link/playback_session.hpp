@@ -130,8 +130,8 @@ private:
     struct PlaybackItem {
         SceneSelection selection;
         std::optional<SceneView>
-            scene;          ///< of the programme; none if it is not known yet, or cannot be played
-        bool holds = false; ///< there is no programme, and the picture stays as it is
+            scene;          ///< of the selection; none if it is not known yet, or cannot be played
+        bool holds = false; ///< nothing is selected, and the picture stays as it is
     };
 
     bool has_display() const { return facts_.panel_size.width > 0 && facts_.panel_size.height > 0; }

@@ -82,9 +82,9 @@ private:
         const auto scene = SceneView::parse(selection.scene, every_feature_but_outlines);
         if (!scene)
             return status_of(scene.error());
-        const Name default_value = device_.facts().start_clip;
-        if (selection.clip.view().empty() && scene->clip(default_value.view()))
-            selection.clip = default_value;
+        const Name start_clip = device_.facts().start_clip;
+        if (selection.clip.view().empty() && scene->clip(start_clip.view()))
+            selection.clip = start_clip;
         return play(selection, *scene);
     }
 

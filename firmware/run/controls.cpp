@@ -51,16 +51,13 @@ void Controls::follow(const Controls& before)
     brightness_ = before.brightness_;
 }
 
-PlayRange Controls::stretch_named(const StoredName& clip) const
+PlayRange Controls::range_named(const StoredName& clip) const
 {
     const auto found = clip.view().empty() ? std::nullopt : scene_.clip(clip.view());
     return found ? play_range_of(*found) : play_range_of(scene_);
 }
 
-Playhead Controls::playhead_of(const StoredName& clip) const
-{
-    return {stretch_named(clip), scene_.events()};
-}
+Playhead Controls::playhead_of(const StoredName& clip) const { return {range_named(clip), scene_.events()}; }
 
 /// What is read covers the time since the question before: it counts if the bouncing was over by then.
 bool Controls::has_switched(Touch& touch, bool pressed, Microseconds now)
@@ -156,7 +153,7 @@ void Controls::play(const StoredName& clip, Playhead& playhead)
 /// A button's clip goes first: the knob's place is taken up when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
-    PlayRange stretch = stretch_named(touch.control.name);
+    PlayRange stretch = range_named(touch.control.name);
     stretch.loop = Loop::once; // or the end would look like the beginning
     Playhead placed{stretch, scene_.events()};
     placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *

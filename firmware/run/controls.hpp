@@ -124,7 +124,7 @@ private:
         int level = untouched;  ///< of a knob when it last did something
     };
 
-    PlayRange stretch_named(const StoredName& clip) const;
+    PlayRange range_named(const StoredName& clip) const;
     Playhead playhead_of(const StoredName& clip) const;
     static bool has_switched(Touch& touch, bool pressed, Microseconds now);
     static bool is_turned(Touch& touch, int level);

@@ -45,7 +45,7 @@ class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_{bytes} {}
 
-    bool is_valid() const { return is_right_; }
+    bool is_valid() const { return is_valid_; }
 
     std::uint32_t u8() { return bytes_.u8(); }
     int u16() { return static_cast<int>(bytes_.u16()); }
@@ -56,7 +56,7 @@ public:
     E one_of(E last)
     {
         const std::uint32_t value = u8();
-        is_right_ = is_right_ && value <= static_cast<std::uint32_t>(last);
+        is_valid_ = is_valid_ && value <= static_cast<std::uint32_t>(last);
         return static_cast<E>(value);
     }
     /// One of the enumerators that `names` lists in their order.
@@ -75,7 +75,7 @@ public:
 
 private:
     ByteReader bytes_;
-    bool is_right_ = true;
+    bool is_valid_ = true;
 };
 
 void write_panel(const PanelSettings& panel, Writer& writer)

@@ -58,7 +58,7 @@ void BusyInputs::put_default()
             player_.set_drawing(number, strokes_of(default_drawings_[number]));
     }
     for (const LongText& text : texts_)
-        player_.set_text(text.input, text.default_value);
+        player_.set_text(text.input, text.default_text);
 }
 
 void BusyInputs::put_drawing(std::uint32_t input, Bustle bustle, int frame)

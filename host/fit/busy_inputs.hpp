@@ -35,7 +35,7 @@ private:
     struct LongText {
         std::uint32_t input;
         std::array<std::string, 2> texts;
-        std::string default_value;
+        std::string default_text;
     };
 
     static std::vector<LongText> long_texts(const SceneView& scene);

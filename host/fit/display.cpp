@@ -13,7 +13,7 @@ namespace {
 /// Column and row with two bytes each.
 constexpr std::size_t short_window = 3 + 3;
 
-constexpr Display default_value(Controller controller)
+constexpr Display default_display(Controller controller)
 {
     const ControllerFacts& facts = facts_of(controller);
     return {.name = controller_names[static_cast<std::size_t>(controller)],
@@ -34,14 +34,14 @@ constexpr Display unrated(Display display)
 /// Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus. Of those without a
 /// driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
 constexpr std::array known_displays{
-    unrated(default_value(Controller::gc9a01)),
-    default_value(Controller::ili9341),
-    default_value(Controller::ssd0323),
-    default_value(Controller::ssd1306),
+    unrated(default_display(Controller::gc9a01)),
+    default_display(Controller::ili9341),
+    default_display(Controller::ssd0323),
+    default_display(Controller::ssd1306),
     Display{"ssd1322", {256, 64}, PixelFormat::grey4, {4, 1}, short_window + 1, 10e6, false},
-    default_value(Controller::ssd1351),
-    default_value(Controller::st7735),
-    default_value(Controller::st7789),
+    default_display(Controller::ssd1351),
+    default_display(Controller::st7735),
+    default_display(Controller::st7789),
     Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window_bytes, 62.5e6, false},
 };
 

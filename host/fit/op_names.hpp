@@ -7,7 +7,7 @@
 
 namespace kfast::fit {
 
-/// In the order of Work.
+/// In the order of Op.
 inline constexpr std::array<std::string_view, op_kinds> op_names{
     "picture",       "timeline",      "key",        "item",        "track",          "placement",
     "law",           "bezier_law",    "bone",       "object",      "stroke",         "segment",

@@ -46,9 +46,9 @@ void write_uf2_block(ByteWriter& file, const Uf2Block& block)
 void write_uf2_sector(ByteWriter& file, const FlashImage::Sector& sector, const Uf2Block& first)
 {
     Uf2Block block = first;
-    for (std::uint32_t offset = 0; offset < sector.bytes.size(); offset += Uf2Block::default_payload) {
+    for (std::uint32_t offset = 0; offset < sector.bytes.size(); offset += Uf2Block::payload_size) {
         block.address = sector.address + offset;
-        block.payload = std::span{sector.bytes}.subspan(offset, Uf2Block::default_payload);
+        block.payload = std::span{sector.bytes}.subspan(offset, Uf2Block::payload_size);
         write_uf2_block(file, block);
         ++block.number;
     }

@@ -14,8 +14,8 @@ namespace kfast {
 struct Uf2Block {
     static constexpr std::size_t bytes = 512;
     static constexpr std::size_t payload_room = 476;
-    static constexpr std::size_t default_payload = 256; ///< the only one that the RP2040 takes
-    static constexpr std::size_t per_sector = FlashImage::sector_bytes / default_payload;
+    static constexpr std::size_t payload_size = 256; ///< the only one that the RP2040 takes
+    static constexpr std::size_t per_sector = FlashImage::sector_bytes / payload_size;
 
     /// Flags.
     static constexpr std::uint32_t not_for_flash = 0x1;
@@ -24,7 +24,7 @@ struct Uf2Block {
 
     std::uint32_t flags = names_family;
     std::uint32_t address = 0;
-    std::uint32_t payload_bytes = default_payload; ///< as it says itself
+    std::uint32_t payload_bytes = payload_size; ///< as it says itself
     std::uint32_t number = 0;
     std::uint32_t count = 0;              ///< of blocks of the file
     std::uint32_t family = 0;             ///< if the flags say so: otherwise the size of the file

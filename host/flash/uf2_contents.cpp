@@ -24,7 +24,7 @@ bool is_left_out(const Uf2Block& block)
     constexpr std::uint32_t absolute_family = 0xE48B'FF57;
     constexpr std::uint32_t extension_tags = 0x8000;
     return (block.flags & ~extension_tags) == Uf2Block::names_family && block.family == absolute_family &&
-           block.number == 0 && block.count == 2 && block.payload_bytes == Uf2Block::default_payload &&
+           block.number == 0 && block.count == 2 && block.payload_bytes == Uf2Block::payload_size &&
            std::ranges::all_of(block.payload, [](std::byte byte) { return byte == std::byte{0xEF}; });
 }
 
@@ -142,7 +142,7 @@ private:
     {
         const std::string carries = "it carries " + std::to_string(block.payload_bytes) + " bytes";
         if (is_for_rp2040)
-            return expect(block.payload_bytes == Uf2Block::default_payload,
+            return expect(block.payload_bytes == Uf2Block::payload_size,
                           carries + " where an RP2040 takes 256 alone");
         return expect(block.payload_bytes > 0 && block.payload_bytes <= Uf2Block::payload_room,
                       carries + " where there is room for 1 to 476");
@@ -159,7 +159,7 @@ private:
         return expect(block.address >= rp2040_flash && end <= rp2040_end &&
                           (is_memory || end <= rp2040_memory),
                       address + " is neither in flash nor in RAM of an RP2040") &&
-               expect(is_memory || block.address % Uf2Block::default_payload == 0,
+               expect(is_memory || block.address % Uf2Block::payload_size == 0,
                       address + " is no multiple of 256");
     }
 

@@ -138,7 +138,7 @@ public:
     /// Ends what a copy that was broken off may have begun.
     std::vector<std::byte> forgetting()
     {
-        constexpr std::array<std::byte, Uf2Block::default_payload> nothing{};
+        constexpr std::array<std::byte, Uf2Block::payload_size> nothing{};
         ByteWriter step;
         for (std::size_t block = 0; block < Uf2Block::per_sector; ++block)
             write_uf2_block(step, {.family = rp2040_family, .payload = nothing});

@@ -94,7 +94,7 @@ void SvgTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
     const Projection projection{walk.space(), on_panel_.camera};
     SvgPath path{nullptr, SvgPath::Use::stroke};
     strokes.trace(projection, path);
-    const Fixed half = half_width(state.width(), projection.growth_facing(state.pivot()));
+    const Fixed half = half_width(state.width(), projection.scale_factor_facing(state.pivot()));
     add_path(path.data(),
              " fill=\"none\"" + stroke_look(walk.node().style, state.stroke(), walk.leaf_opacity(), half));
 }

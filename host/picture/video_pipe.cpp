@@ -33,10 +33,10 @@ public:
     {
         ::posix_spawn_file_actions_init(&actions);
         ::posix_spawnattr_init(&attributes);
-        sigset_t default_value;
-        ::sigemptyset(&default_value);
-        ::sigaddset(&default_value, SIGPIPE);
-        ::posix_spawnattr_setsigdefault(&attributes, &default_value);
+        sigset_t default_signals;
+        ::sigemptyset(&default_signals);
+        ::sigaddset(&default_signals, SIGPIPE);
+        ::posix_spawnattr_setsigdefault(&attributes, &default_signals);
         ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     }
     ~Inheritance()

@@ -91,10 +91,10 @@ private:
 
 Size first_window_size(Size panel)
 {
-    constexpr Size default_value{960, 720};
+    constexpr Size default_size{960, 720};
     constexpr Size beside{320, 260};
-    return {std::max(default_value.width, panel.width + beside.width),
-            std::max(default_value.height, panel.height + beside.height)};
+    return {std::max(default_size.width, panel.width + beside.width),
+            std::max(default_size.height, panel.height + beside.height)};
 }
 
 void play_in_window(PictureWindow& window, Viewer& viewer) { PreviewWindow{window, viewer}.play(); }

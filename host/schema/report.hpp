@@ -31,7 +31,7 @@ public:
     bool error(SourceSpan place, std::string message, std::string hint = {});
     void warning(SourceSpan place, std::string message, std::string hint = {});
 
-    /// Errors are no longer passed on; report may stop.
+    /// Errors are no longer passed on; reading may stop.
     bool full() const { return errors_ > max_errors; }
     std::string property_hint(const kdl::Node& node, const kdl::Property& property,
                               std::span<const std::string_view> known) const

@@ -68,7 +68,7 @@ constexpr FixedBits memory_access{0x36, 0, 0x03, 0x00}; // reserved
 constexpr FixedBits scroll_high{0x37, 0, 0xFF, 0x00};   // nothing is scrolled
 constexpr FixedBits scroll_low{0x37, 1, 0xFF, 0x00};    //
 
-constexpr std::array default_bits{memory_access, scroll_high, scroll_low};
+constexpr std::array common_fixed_bits{memory_access, scroll_high, scroll_low};
 
 constexpr std::array st7789_bits{
     memory_access,
@@ -189,14 +189,14 @@ const DcsKind ili9341{.commands = with(with(every_kind, later_commands), ili9341
                       .reset_time = milliseconds{5},
                       .wake_time = milliseconds{5}};
 const DcsKind st7735{.commands = with(every_kind, st7735_commands),
-                     .fixed_bits = default_bits,
+                     .fixed_bits = common_fixed_bits,
                      .takes_12_bits = true,
                      .has_rgb_interface = false,
                      .is_wired_backwards = false,
                      .reset_time = milliseconds{120},
                      .wake_time = milliseconds{120}};
 const DcsKind gc9a01{.commands = with(with(every_kind, later_commands), gc9a01_commands),
-                     .fixed_bits = default_bits,
+                     .fixed_bits = common_fixed_bits,
                      .takes_12_bits = false,
                      .has_rgb_interface = true,
                      .is_wired_backwards = false,

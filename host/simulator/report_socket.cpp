@@ -73,10 +73,10 @@ int listening_socket(const std::filesystem::path& path)
     remove_left_over(path);
     const int made = new_socket(path);
     constexpr int backlog = 8;
-    const mode_t default_value = ::umask(S_IRWXG | S_IRWXO); // nobody else talks to it
+    const mode_t previous = ::umask(S_IRWXG | S_IRWXO); // nobody else talks to it
     const bool is_bound = ::bind(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     const int why = errno;
-    ::umask(default_value);
+    ::umask(previous);
     if (is_bound && ::listen(made, backlog) == 0)
         return made;
     ::close(made);

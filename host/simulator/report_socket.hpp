@@ -23,7 +23,7 @@ public:
     /// Sleeps until a report may have come, but not longer than `time`.
     void wait(std::chrono::microseconds time);
 
-    // As Conversation wants it (link::Pipe).
+    // As LinkService wants it (link::Pipe).
     /// What has not the length of a report is dropped.
     std::optional<link::ReportBytes> take();
     /// Whoever does not fetch reports misses them.

@@ -13,7 +13,7 @@ namespace kfast::svg {
 
 /// Reads drawings that are the same picture at several times, each a file of its own. What is the same in all
 /// of them is found by its id, else by its label, else by its order among its kind, always within what is the
-/// same group. It is one figure of the scene, named as in the first drawing that has it, and changes from key
+/// same group. It is one shape of the scene, named as in the first drawing that has it, and changes from key
 /// to key; what a drawing has not is not seen from there until the next drawing that has it. The canvas is
 /// that of the first drawing.
 ///

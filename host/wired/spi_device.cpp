@@ -72,10 +72,10 @@ Failure cannot_write(const std::string& path, int error, std::size_t bytes)
 /// What spidev's buffer holds; its usual size where the kernel does not tell.
 std::size_t buffer_size()
 {
-    constexpr std::size_t default_value = 4096;
+    constexpr std::size_t default_size = 4096;
     std::size_t size = 0;
     std::ifstream{"/sys/module/spidev/parameters/bufsiz"} >> size;
-    return size == 0 ? default_value : size;
+    return size == 0 ? default_size : size;
 }
 
 int open_device(const std::string& path)

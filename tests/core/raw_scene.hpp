@@ -67,7 +67,7 @@ inline Bytes group(const Bytes& items) { return joined({bytes({1}), block(items)
 
 inline Bytes use(int symbol) { return bytes({2, symbol}); }
 
-/// "KeyTimes"; also none.
+/// "Key times"; also none.
 inline Bytes key_time_bytes(const KeyTimes& key_times, Driver driver = {})
 {
     ByteWriter writer;

@@ -135,6 +135,17 @@ class Project(unittest.TestCase):
             with self.subTest(name=name):
                 self.assertLessEqual(set(re.findall(r"\w+", name)), known)
 
+    def test_readmes_of_rooms_name_files_that_there_are(self):
+        for readme in ("core/README.md", "core/raster/README.md", "firmware/README.md", "host/README.md"):
+            folder = (ROOT / readme).parent
+            rows = [cells(line) for line in (ROOT / readme).read_text(encoding="utf-8").splitlines() if is_row(line)]
+            column = 0 if folder.name == "raster" else 1
+            named = [name for row in rows for name in re.findall(r"`([\w./-]+)`", row[column]) if "NAME" not in name]
+            self.assertGreater(len(named), 8)
+            for name in named:
+                with self.subTest(readme=readme, name=name):
+                    self.assertTrue((folder / name).exists() or (ROOT / name).exists() or list(folder.rglob(f"{name}.?pp")))
+
     def test_scripts_have_the_options_that_are_given(self):
         presets = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
         for path, place, line in each_text():

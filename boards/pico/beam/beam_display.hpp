@@ -7,7 +7,7 @@
 
 namespace kfast::pico {
 
-/// A vector display, as a Gadget's display.
+/// A vector display, as an App's display.
 struct BeamDisplay {
     /// The beam is dark: before anything else, and only on a pin that the settings can mean.
     static void make_safe(const BoardSettings& settings)

@@ -7,7 +7,7 @@
 
 namespace kfast::pico {
 
-/// A panel on a `Bus`, as a Gadget's display.
+/// A panel on a `Bus`, as an App's display.
 template <class Bus>
 struct PanelDisplay {
     static void make_safe(const BoardSettings&) {}

@@ -63,7 +63,7 @@ Fixed held_on_panel(Fixed at)
     return Fixed::from_raw(std::clamp(at.raw(), -farthest, farthest));
 }
 
-/// A quarter turn from the right of a heading, or from the left of its opposite.
+/// A quarter turn from the right of a direction, or from the left of its opposite.
 Point turned(Point side) { return {side.y, -side.x}; }
 
 /// Where the lines meet that pass along the ends of two sides.

@@ -9,7 +9,7 @@ namespace {
 
 bool is_value(std::int32_t value) { return value >= -kfb::max_input_value && value <= kfb::max_input_value; }
 
-bool is_sound_number(const InputView& input)
+bool is_valid_number(const InputView& input)
 {
     return is_value(input.min) && is_value(input.max) && input.max > input.min &&
            input.default_value >= input.min && input.default_value <= input.max;
@@ -28,7 +28,7 @@ bool is_valid(const InputView& input)
 {
     switch (input.type) {
     case InputType::number:
-        return is_sound_number(input);
+        return is_valid_number(input);
     case InputType::drawing:
         return input.drawing.strokes >= 1 && input.drawing.strokes <= input.drawing.points &&
                input.drawing.points <= kfb::max_live_points;

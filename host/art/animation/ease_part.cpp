@@ -173,7 +173,7 @@ double bend_of(const Ease& ease, double from, double to)
     return 0.75 * std::max(off(1), off(2));
 }
 
-WayRange way_range(const Ease& ease)
+ProgressRange progress_range(const Ease& ease)
 {
     if (ease.kind != EaseKind::cubic)
         return {};

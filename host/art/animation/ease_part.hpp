@@ -29,11 +29,11 @@ inline constexpr double highest_y = 2.5;
 double bend_of(const Ease& ease, double from, double to);
 
 /// The least and the greatest share of the way that it may come to: never too little.
-struct WayRange {
+struct ProgressRange {
     double low = 0;
     double high = 1;
 };
-WayRange way_range(const Ease& ease);
+ProgressRange progress_range(const Ease& ease);
 
 /// The ease that goes the same way in the other direction of time; of a hold, a hold (which does not: what is
 /// held then is the later value).

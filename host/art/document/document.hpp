@@ -56,7 +56,7 @@ struct BoneInfluence {
     friend bool operator==(const BoneInfluence&, const BoneInfluence&) = default;
 };
 
-/// What bones carry a figure.
+/// What bones carry a shape.
 struct Skin {
     std::size_t rig = 0; ///< index into Document::rigs
     /// For each point of the first drawing, as the scene language counts them: where an outline begins, and
@@ -133,7 +133,7 @@ struct Node {
 bool operator==(const Node& left, const Node& right);
 inline bool operator==(const Group& left, const Group& right) { return left.nodes == right.nodes; }
 
-/// A bone as set up, where its figures are drawn, and how poses change that: see "Poses" in
+/// A bone as set up, where its shapes are drawn, and how poses change that: see "Poses" in
 /// docs/scene-language.md.
 struct Bone {
     std::string name;
@@ -147,7 +147,7 @@ struct Bone {
     bool at_tip = false;           ///< its beginning moves with the length of its parent
 };
 
-/// A skeleton, in the coordinates of the figures that it carries.
+/// A skeleton, in the coordinates of the shapes that it carries.
 struct Rig {
     std::string name;
     std::vector<Bone> bones; ///< at least one

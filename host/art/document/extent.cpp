@@ -35,7 +35,7 @@ double overshoot_of(const Animated<Value>& animated)
 {
     double max = 0;
     for (const auto& key : animated.keys) {
-        const WayRange range = way_range(key.ease);
+        const ProgressRange range = progress_range(key.ease);
         max = std::max({max, -range.low, range.high - 1});
     }
     return max;
@@ -61,7 +61,7 @@ Extent extent_of(const Drawing& drawing)
     return extent;
 }
 
-/// How far beyond its drawing a figure's line is seen.
+/// How far beyond its drawing a shape's line is seen.
 double stroke_reach(const StrokeStyle& stroke)
 {
     const double widths = stroke.join == Join::miter ? std::max(stroke.miter_limit, std::numbers::sqrt2)
@@ -134,7 +134,7 @@ Range range_of(const Channel& channel)
         range.take(channel.keys[i].value);
         if (i + 1 == channel.keys.size())
             break;
-        const WayRange way = way_range(channel.keys[i].ease);
+        const ProgressRange way = progress_range(channel.keys[i].ease);
         range.take(mixed(channel.keys[i].value, channel.keys[i + 1].value, way.low));
         range.take(mixed(channel.keys[i].value, channel.keys[i + 1].value, way.high));
     }

@@ -32,7 +32,7 @@ Range range_of(const Channel& channel);
 /// The greatest amount of it.
 double greatest(const Channel& channel);
 
-/// Of what a figure draws, its line included, in its own coordinates.
+/// Of what a shape draws, its line included, in its own coordinates.
 Extent extent_of(const Shape& shape, std::span<const Rig> rigs);
 
 /// Of content after the transform.

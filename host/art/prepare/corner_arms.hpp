@@ -14,7 +14,7 @@ struct CornerArm {
     double factor = 1; ///< how far what is seen moves when the arm turns, in half widths times radians
 };
 
-/// Those of a figure whose drawings all have the same form. Round joins and caps show none, nor do joins that
+/// Those of a shape whose drawings all have the same form. Round joins and caps show none, nor do joins that
 /// are smooth at all times.
 std::vector<CornerArm> corner_arms(const Shape& shape);
 

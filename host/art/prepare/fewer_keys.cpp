@@ -71,7 +71,7 @@ private:
         for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
             if (!same_form(first, keys_[i + 1].value))
                 return false;
-            const WayRange range = way_range(keys_[i].ease);
+            const ProgressRange range = progress_range(keys_[i].ease);
             for (const double share : {range.low, range.high})
                 if (!(distance(way(i, share), {first, first, 0}) <= constant_tolerance()))
                     return false;

@@ -219,7 +219,7 @@ private:
         return scale_factor;
     }
 
-    /// In the figure's own pixels: of one of its channels, and of its drawing.
+    /// In the shape's own pixels: of one of its channels, and of its drawing.
     void simplify(Shape& shape, double share, double drawing_share)
     {
         if (shape.fill)

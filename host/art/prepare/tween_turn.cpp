@@ -85,7 +85,7 @@ std::vector<TweenRange> tweens_of(const Animated<Drawing>& drawing)
         return {{0, 0, 0, 0}};
     std::vector<TweenRange> tweens;
     for (std::size_t i = 0; i + 1 < drawing.keys.size(); ++i) {
-        const WayRange range = way_range(drawing.keys[i].ease);
+        const ProgressRange range = progress_range(drawing.keys[i].ease);
         tweens.push_back({i, i + 1, range.low, range.high});
     }
     return tweens;

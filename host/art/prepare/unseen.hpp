@@ -4,7 +4,7 @@
 
 namespace kfast::art {
 
-/// Takes out what is never seen: outlines without extent that show no dot, figures that draw nothing or have
+/// Takes out what is never seen: outlines without extent that show no dot, shapes that draw nothing or have
 /// neither fill nor line, what is always transparent or never shown, and groups of nothing else.
 void drop_unseen(Document& document);
 

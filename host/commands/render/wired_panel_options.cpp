@@ -206,11 +206,11 @@ void declare_wired_panel_options(CLI::App& app, WiredPanelOptions& options)
 
 BoardSettings chosen_wired_panel(const WiredPanelOptions& options)
 {
-    constexpr std::uint32_t default_max = 62'500'000; // as on a Pico: wires, not displays, end it
+    constexpr std::uint32_t max_default_clock = 62'500'000; // as on a Pico: wires, not displays, end it
     BoardSettings settings;
     settings.panel = chosen_panel(options);
     settings.bus = options.bus;
-    settings.bus_clock = options.clock.value_or(std::min(config::rated_clock(settings), default_max));
+    settings.bus_clock = options.clock.value_or(std::min(config::rated_clock(settings), max_default_clock));
     expect_possible(settings);
     expect_wires(options);
     return settings;

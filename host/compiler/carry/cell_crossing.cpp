@@ -8,7 +8,7 @@ namespace {
 
 /// A place where a segment is to be divided.
 struct Crossing {
-    std::uint32_t share = 0; ///< as that of Share
+    std::uint32_t share = 0; ///< as that of Fraction
     double border = 0;       ///< along the backbones
 };
 

@@ -98,7 +98,7 @@ public:
                                          : std::vector<Time>{default_value_[i]});
     }
 
-    const std::vector<Time>& default_value() const { return default_value_; }
+    const std::vector<Time>& default_places() const { return default_value_; }
     /// Of one input, in order: even ones, those of its keys, and the tick before.
     std::size_t sample_count(std::size_t input) const
     {
@@ -137,10 +137,10 @@ void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
                      std::vector<MeasuredMoment>& moments)
 {
     const auto any_time = [&] { return times[places.random() % times.size()]; };
-    const std::size_t inputs = places.default_value().size();
+    const std::size_t inputs = places.default_places().size();
     for (std::size_t input = 0; input < inputs; ++input)
         for (std::size_t i = 0; i < places.sample_count(input); ++i) {
-            moments.push_back({any_time(), places.default_value()});
+            moments.push_back({any_time(), places.default_places()});
             moments.back().inputs[input] = places.sample_place(input, i);
         }
     for (const Time end : {Time{}, whole_input})
@@ -162,7 +162,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     std::vector<MeasuredMoment> moments;
     moments.reserve(times.size());
     for (const Time time : times)
-        moments.push_back({time, places.default_value()});
+        moments.push_back({time, places.default_places()});
     if (scene.number_inputs() != 0)
         add_with_inputs(times, places, moments);
     return moments;

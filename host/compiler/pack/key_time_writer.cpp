@@ -34,11 +34,11 @@ Driver written_driver(const DrivenKeyTimes& key_times)
 
 }
 
-void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_value, ByteWriter& bytes)
+void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_key_times, ByteWriter& bytes)
 {
     const auto& key_times = driven.key_times;
     const Driver driver = written_driver(driven);
-    if (key_times == default_value.key_times && driver == written_driver(default_value))
+    if (key_times == default_key_times.key_times && driver == written_driver(default_key_times))
         return bytes.varint(0);
     const std::vector<std::uint32_t> steps = steps_of(key_times);
     const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});

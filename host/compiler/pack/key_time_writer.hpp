@@ -27,9 +27,10 @@ struct DrivenKeyTimes {
     friend auto operator<=>(const DrivenKeyTimes&, const DrivenKeyTimes&) = default;
 };
 
-/// Appends at least one key time as the core's KeyTimeCursor reads them (docs/format.md, "KeyTimes"); only
-/// says so if they are `default_value` where they stand.
-void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_value, ByteWriter& bytes);
+/// Appends at least one key time as the core's KeyTimeCursor reads them (docs/format.md, "Key times"); only
+/// says so if they are `default_key_times` where they stand.
+void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_key_times,
+                     ByteWriter& bytes);
 
 /// The usual key times of what has keys of its own: a single one, at 0.
 inline const DrivenKeyTimes one_key_time{{{}}};

@@ -169,7 +169,7 @@ void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
         bytes.u8(form.predicting());
 }
 
-/// Of what packed() makes, but for the head: that of forms that are not foretold is one byte shorter.
+/// Of what packed() makes, but for the head: that of forms that are not predicted is one byte shorter.
 std::size_t packed_size(const Steps& steps, const StrokeForm& form)
 {
     BitCounter bits;

@@ -109,9 +109,9 @@ private:
     {
         std::vector<double> shares{0.37, 0.87, 0.13, 0.61};
         constexpr double looks_per_frame = 4;
-        constexpr double most_looks = 1024;
+        constexpr double max_looks = 1024;
         const double count =
-            drawing_.changes_form ? std::min(most_looks, std::ceil(looks_per_frame * frames)) : 0;
+            drawing_.changes_form ? std::min(max_looks, std::ceil(looks_per_frame * frames)) : 0;
         for (double i = 1; i < count; ++i)
             shares.push_back(i / count);
         return shares;

@@ -25,7 +25,7 @@ bool is_plain(const art::Node& node)
            node.shown == std::vector<art::Span>{{}};
 }
 
-/// The colour of a figure that is a background.
+/// The colour of a shape that is a background.
 std::optional<art::Rgb> background_of(const art::Node& node, const art::Document& document,
                                       const art::Affine& matrix = {})
 {

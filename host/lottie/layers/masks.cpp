@@ -188,7 +188,7 @@ art::Node pierced(const art::Node& solid, const Mask& mask)
     return part;
 }
 
-/// Whether figures of the masks that are added show just what the masks do.
+/// Whether shapes of the masks that are added show just what the masks do.
 bool is_exact(const std::vector<Mask>& masks, const art::Node& solid, const Layer& layer)
 {
     const auto& edge = std::get<art::Shape>(solid.content).drawing.value();

@@ -39,7 +39,7 @@ struct LoneShape {
     Way way; ///< the outermost first
 };
 
-/// Nothing if there is more than one figure, or one that is seen through or is not always there.
+/// Nothing if there is more than one shape, or one that is seen through or is not always there.
 std::optional<LoneShape> lone_shape(const std::vector<art::Node>& nodes)
 {
     LoneShape shape{};

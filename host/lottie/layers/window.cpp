@@ -19,7 +19,7 @@ using art::ConvexPolygon;
 using art::Drawing;
 using scene::Vec2;
 
-/// The transforms around a figure, the outermost first.
+/// The transforms around a shape, the outermost first.
 using Way = std::vector<art::Transform>;
 
 bool is_upright_rectangle(const ConvexPolygon& polygon)
@@ -77,7 +77,7 @@ Drawing cut_by(const Drawing& polygon, const Drawing& drawing)
     return convex ? convex->cut(drawing) : Drawing{};
 }
 
-/// Whether figures are cut whose part inside changes, so that it is baked.
+/// Whether shapes are cut whose part inside changes, so that it is baked.
 enum class Moving { cut, stays };
 
 class Cutter {
@@ -93,7 +93,7 @@ public:
     }
 
     bool is_all_cut() const { return is_all_cut_; }
-    /// Whether moving figures take so much that the scene is better off without cutting them.
+    /// Whether moving shapes take so much that the scene is better off without cutting them.
     bool is_too_much() const { return is_too_much_; }
 
 private:
@@ -135,7 +135,7 @@ private:
                                    [](const auto& key) { return !key.value.outlines.empty(); });
     }
 
-    /// How much of the figure is inside; the same at all times, or part.
+    /// How much of the shape is inside; the same at all times, or part.
     Coverage coverage_of(const art::Shape& shape) const
     {
         std::optional<Coverage> all_along;

@@ -38,7 +38,7 @@ bool keeps_widths(const art::Transform& transform)
            transform.skew.value() == 0;
 }
 
-/// Whether a figure may lie in the groups of its paths instead of carrying their moves in its points.
+/// Whether a shape may lie in the groups of its paths instead of carrying their moves in its points.
 bool can_lie_in_groups(const std::vector<TransformedPath>& paths, bool has_line)
 {
     const auto& groups = paths.front().groups;
@@ -59,7 +59,7 @@ bool does_nothing(const Node& node)
            node.shown == std::vector<art::Span>{{}};
 }
 
-/// A group of one figure is that figure.
+/// A group of one shape is that shape.
 Node flattened(Node group)
 {
     auto& nodes = std::get<art::Group>(group.content).nodes;

@@ -67,8 +67,8 @@ std::vector<art::Span> shown(const Channel& copies, double index, art::Budget& b
 {
     if (copies.is_still())
         return {{}};
-    constexpr int most_looks = 4096;
-    budget.take_computed_points(most_looks);
+    constexpr int max_looks = 4096;
+    budget.take_computed_points(max_looks);
     const auto is_there = [&](double time) { return copies_at(copies, time) > index; };
     std::vector<art::Span> spans;
     const double begin = copies.keys.front().time;
@@ -76,7 +76,7 @@ std::vector<art::Span> shown(const Channel& copies, double index, art::Budget& b
     bool there = is_there(begin);
     if (there)
         spans.push_back({});
-    const double step = std::max(0.25, (end - begin) / most_looks);
+    const double step = std::max(0.25, (end - begin) / max_looks);
     for (double from = begin; from < end; from += step) {
         double before = from;
         double after = std::min(from + step, end);

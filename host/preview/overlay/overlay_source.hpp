@@ -19,7 +19,7 @@ namespace kfast {
 /// that makes the pictures.
 class OverlaySource final : public InputReceiver {
 public:
-    /// `stage.scene`'s bytes must outlive the source.
+    /// `viewport.scene`'s bytes must outlive the source.
     explicit OverlaySource(const Viewport& viewport);
     ~OverlaySource() override;
 

@@ -88,9 +88,9 @@ void fill_corners(Painter& painter, Rect square, Colour colour)
     const double radius = square.width / 2.0;
     const WindowSpot centre{square.x + radius, square.y + square.height / 2.0};
     for (int quarter = 0; quarter < 4; ++quarter) {
-        const bool is_valid = quarter == 0 || quarter == 3;
+        const bool is_on_right = quarter == 0 || quarter == 3;
         const bool is_lower = quarter < 2;
-        std::vector<WindowSpot> corners{{static_cast<double>(is_valid ? right_of(square) : square.x),
+        std::vector<WindowSpot> corners{{static_cast<double>(is_on_right ? right_of(square) : square.x),
                                          static_cast<double>(is_lower ? bottom_of(square) : square.y)}};
         add_arc(corners, centre, radius, quarter, quarter + 1);
         painter.polygon(corners, colour);

@@ -20,7 +20,6 @@ inline constexpr std::size_t max_inputs = kfb::max_inputs;
 inline constexpr int max_live_points = kfb::max_live_points; ///< of a drawing from outside
 inline constexpr std::size_t max_backbones = kfb::max_backbones;
 inline constexpr std::size_t max_backbone_segments = kfb::max_backbone_segments; ///< of a skeleton
-inline constexpr std::size_t longest_name = kfb::max_name_bytes;
 inline constexpr std::size_t max_skeletons = kfb::max_bones;
 inline constexpr std::size_t max_bones = kfb::max_bones;                   ///< of a skeleton
 inline constexpr std::size_t max_bones_together = kfb::max_bones_together; ///< of all skeletons

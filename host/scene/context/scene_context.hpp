@@ -40,7 +40,6 @@ using schema::Report;
 using schema::span;
 using schema::truth;
 using schema::ValueKind;
-using schema::ValueType;
 using schema::Word;
 using schema::word_names;
 

@@ -10,10 +10,10 @@
 namespace kfast::scene {
 namespace {
 
-class DoubleQuantities {
+class DuplicateQuantities {
 public:
-    DoubleQuantities(std::span<const TimedQuantity> timed, const ItemValues& values,
-                     std::span<const ItemKey> keys, SceneContext& context)
+    DuplicateQuantities(std::span<const TimedQuantity> timed, const ItemValues& values,
+                        std::span<const ItemKey> keys, SceneContext& context)
         : timed_{timed}, values_{values}, keys_{keys}, context_{context}
     {
     }
@@ -77,7 +77,7 @@ private:
 void refuse_duplicate_quantities(std::span<const TimedQuantity> timed, const ItemValues& values,
                                  std::span<const ItemKey> keys, SceneContext& context)
 {
-    DoubleQuantities{timed, values, keys, context}.refuse();
+    DuplicateQuantities{timed, values, keys, context}.refuse();
 }
 
 }

@@ -30,7 +30,7 @@ struct GroupProperties {
 
 constexpr auto group_rules =
     joined(place_rules<GroupProperties>, show_rules<GroupProperties>, pivot_rules<GroupProperties>,
-           std::array{PropertyRule<GroupProperties>{"input", read_own_clock<GroupProperties>, any_name}});
+           std::array{PropertyRule<GroupProperties>{"input", read_own_driver<GroupProperties>, any_name}});
 
 std::string read_group_name(const kdl::Node& node, SceneContext& context)
 {

@@ -136,7 +136,7 @@ constexpr std::array skin_rules{
 
 constexpr auto object_rules =
     joined(style_rules, beam_rules, skin_rules, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
-           std::array{PropertyRule<Target>{"input", read_own_clock<Target>, any_name},
+           std::array{PropertyRule<Target>{"input", read_own_driver<Target>, any_name},
                       PropertyRule<Target>{"live", keep_name<&Target::live>, any_name}});
 
 }

@@ -27,7 +27,7 @@ constexpr std::array mirror_rules{
 constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
 constexpr auto items_rules =
     joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
-           std::array{PropertyRule<SymbolUse>{"input", read_own_clock<SymbolUse>, any_name}});
+           std::array{PropertyRule<SymbolUse>{"input", read_own_driver<SymbolUse>, any_name}});
 
 /// The place may stand behind the name of the symbol instead of in properties.
 void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,

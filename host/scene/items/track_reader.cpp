@@ -103,7 +103,7 @@ bool read_turn(const kdl::Value& value, TrackProperties& track, SceneContext& co
 
 constexpr std::array track_rules{
     PropertyRule<TrackProperties>{"law", read_law_of_track, any_law},
-    PropertyRule<TrackProperties>{"input", read_own_clock<TrackProperties>, any_name}};
+    PropertyRule<TrackProperties>{"input", read_own_driver<TrackProperties>, any_name}};
 constexpr auto along_rules =
     joined(track_rules, std::array{PropertyRule<TrackProperties>{"turn", read_turn, truth}});
 

@@ -67,21 +67,21 @@ void BoneReader::read(const kdl::Node& node, std::optional<std::size_t> parent)
     if (is_full_ || context_.report.full())
         return;
     if (!fits(node, bone_form, context_.report)) {
-        is_good_ = false;
+        is_valid_ = false;
         return;
     }
     WrittenBone bone = read_bone(node, parent);
     if (!has_capacity(bone))
         return;
-    is_good_ = bone.is_valid && is_good_;
+    is_valid_ = bone.is_valid && is_valid_;
     const std::size_t index = bones_.size();
     bones_.push_back(std::move(bone));
     for (const kdl::Node& child : node.children)
         if (child.name == bone_name)
             read(child, index);
         else
-            is_good_ = context_.report.error(child.name_span, "a bone has no node " + in_quotes(child.name),
-                                             word_hint(child.name, std::array{bone_name}));
+            is_valid_ = context_.report.error(child.name_span, "a bone has no node " + in_quotes(child.name),
+                                              word_hint(child.name, std::array{bone_name}));
 }
 
 WrittenBone BoneReader::read_bone(const kdl::Node& node, std::optional<std::size_t> parent)
@@ -116,7 +116,7 @@ bool BoneReader::has_capacity(const WrittenBone& bone)
     if (bones_.size() < max_bones)
         return true;
     is_full_ = true;
-    is_good_ =
+    is_valid_ =
         context_.report.error(bone.place, "a skeleton has at most " + std::to_string(max_bones) + " bones");
     return false;
 }
@@ -134,8 +134,8 @@ void BoneReader::find_parent(WrittenBone& bone)
     std::vector<std::string_view> known;
     for (const WrittenBone& other : bones_)
         known.push_back(other.name);
-    is_good_ = context_.report.error(bone.parent_name->place, "unknown bone " + in_quotes(*name),
-                                     suggestion(*name, known));
+    is_valid_ = context_.report.error(bone.parent_name->place, "unknown bone " + in_quotes(*name),
+                                      suggestion(*name, known));
 }
 
 NodeSchema bone_words()

@@ -38,7 +38,7 @@ public:
     /// Finds the parents that are given by name. Reports those that are not there.
     std::vector<WrittenBone> take();
     /// Nothing was wrong with those that were read, nor with their parents.
-    bool is_valid() const { return is_good_; }
+    bool is_valid() const { return is_valid_; }
 
 private:
     void read(const kdl::Node& node, std::optional<std::size_t> parent);
@@ -49,7 +49,7 @@ private:
     SceneContext& context_;
     std::vector<WrittenBone> bones_;
     NameTable names_;
-    bool is_good_ = true;
+    bool is_valid_ = true;
     bool is_full_ = false; ///< has been reported
 };
 

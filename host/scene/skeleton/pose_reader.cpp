@@ -54,7 +54,7 @@ std::vector<PosedBone> all_as_set_up(std::size_t count, SourceSpan place)
 }
 
 constexpr auto pose_rules =
-    joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_clock<Pose>, any_name}});
+    joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_driver<Pose>, any_name}});
 
 bool shares_a_bone(const Pose& pose, const std::vector<bool>& bones)
 {

@@ -48,7 +48,7 @@ void warn_of_idle_input(const kdl::Node& node, bool has_keys, SceneContext& cont
 
 /// For the table of properties of something that has a `driver`.
 template <class Target>
-bool read_own_clock(const kdl::Value& value, Target& target, SceneContext& context)
+bool read_own_driver(const kdl::Value& value, Target& target, SceneContext& context)
 {
     const auto driver = read_key_driver(value, context);
     if (driver)

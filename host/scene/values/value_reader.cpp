@@ -9,6 +9,9 @@
 #include <cmath>
 
 namespace kfast::scene {
+
+static_assert(schema::max_name_bytes == kfb::max_name_bytes);
+
 namespace {
 
 /// A number of frames or of this many milliseconds.

@@ -8,7 +8,7 @@ namespace kfast::scene_text {
 struct Arranging;
 
 /// Puts what the node and all nodes inside of it do into their drawings, as keys: their transforms do
-/// nothing after that. Turns in space, and figures that bones carry, cannot be put there and are losses.
+/// nothing after that. Turns in space, and shapes that bones carry, cannot be put there and are losses.
 void bake(art::Node& node, const Arranging& arranging);
 
 }

@@ -14,7 +14,7 @@ using art::Affine;
 using art::Node;
 
 constexpr double min = 0.05;
-/// Of the times that are looked at, for each figure.
+/// Of the times that are looked at, for each shape.
 constexpr std::size_t max_times = 64;
 
 void add_times(const art::Transform& transform, std::vector<double>& times)

@@ -8,7 +8,7 @@
 namespace kfast::scene_text {
 
 /// Leaves out what is never seen in a scene of that many ticks: fills and lines without opacity or width,
-/// figures without drawings, groups without nodes.
+/// shapes without drawings, groups without nodes.
 void drop_unseen(std::vector<art::Node>& nodes, std::int32_t length);
 
 /// Makes neighbours that are written as one group in several parts one group.

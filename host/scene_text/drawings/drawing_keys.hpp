@@ -10,7 +10,7 @@ namespace kfast::scene_text {
 
 using DrawingKeys = std::vector<StoredKey<art::Drawing>>;
 
-/// The drawings of a figure with all of their points where they are stored.
+/// The drawings of a shape with all of their points where they are stored.
 DrawingKeys drawing_keys(const art::Shape& shape, std::int32_t length);
 
 /// The pivot that an object has if it does not say one: the middle of the first drawing that is not empty.

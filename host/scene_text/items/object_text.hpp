@@ -6,7 +6,7 @@
 
 namespace kfast::scene_text {
 
-/// The node `object` of a node that is a figure.
+/// The node `object` of a node that is a shape.
 kdl::Node object_node(const art::Node& node, Writing& writing);
 
 }

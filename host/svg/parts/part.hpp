@@ -61,7 +61,7 @@ std::optional<Box> box_of(const Part& part, const art::Affine& affine);
 /// Likewise; lines count with half of their width.
 std::optional<Box> box_with_lines(const Part& part, const art::Affine& affine);
 
-/// Makes a group of a shape with a fill and a line: a figure has one drawing, and its line over its fill.
+/// Makes a group of a shape with a fill and a line: a shape has one drawing, and its line over its fill.
 void split_line(Part& part, const art::Drawing& line, bool below);
 
 /// Whether both look the same, whatever their elements are called.

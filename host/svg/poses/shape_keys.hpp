@@ -7,7 +7,7 @@
 
 namespace kfast::svg {
 
-/// The figure that a shape is over all moments. Nothing where nothing of it can be seen; what lies too far
+/// The shape that a shape is over all moments. Nothing where nothing of it can be seen; what lies too far
 /// away to be drawn is a loss.
 std::optional<art::Node> shape_node(const Moments& moments, art::Budget& budget, art::Losses& losses);
 

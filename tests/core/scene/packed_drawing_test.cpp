@@ -139,7 +139,7 @@ TEST_CASE("curves that hardly differ from parabolas take a byte for each")
     CHECK(form_size(wave) <= 4 + 20 * 3);
 }
 
-TEST_CASE("a foretold end is the same, mirrored, for mirrored control points")
+TEST_CASE("a predicted end is the same, mirrored, for mirrored control points")
 {
     for (int out = -50; out <= 50; ++out)
         for (int in = -50; in <= 50; ++in) {

@@ -160,7 +160,7 @@ TEST_CASE("any bezier keeps its precision and its range")
     for (int round = 0; round < 4'000; ++round) {
         const VelocityLaw law = random_bezier(random, VelocityLaw::lowest_y, VelocityLaw::highest_y);
         REQUIRE(is_valid(law));
-        const WayRange range = way_range(law);
+        const ProgressRange range = progress_range(law);
         for (int moment = 0; moment < 20; ++moment) {
             const auto time = static_cast<std::uint32_t>(random() % 65537);
             REQUIRE(bezier_error(law, time, 0.1) <= 0.6);
@@ -252,7 +252,7 @@ TEST_CASE("a law is valid when its parameters are in their ranges")
 TEST_CASE("the way leaves 0 … 1 no further than three quarters of what the control points do")
 {
     const auto range_is = [](const VelocityLaw& law, double min, double max) {
-        const WayRange range = way_range(law);
+        const ProgressRange range = progress_range(law);
         return range.min.raw == min * 65536 && range.max.raw == max * 65536;
     };
     CHECK(range_is(VelocityLaw::constant, 0, 1));

@@ -3,6 +3,7 @@
 #include "host/kdl/canonical.hpp"
 #include "host/kdl/parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <doctest/doctest.h>
 
