@@ -44,11 +44,21 @@ class Rooms:
 
     def __init__(self, text):
         self.allowed = {}
+        self.mistakes = []
         for table in TABLE.finditer(text):
             for row in table["rows"].splitlines():
-                names, _, included = (re.findall(r"`([^`]+)`", cell) for cell in row.strip().strip("|").split("|"))
-                for name in names:
-                    self.allowed[written_out(name, table["folder"])] = [written_out(i, table["folder"]) for i in included]
+                self._add(row, table["folder"])
+
+    def _add(self, row, folder):
+        cells = row.strip().strip("|").split("|")
+        if len(cells) != 3:
+            self.mistakes.append(f"docs/design.md: not three cells: {row}")
+            return
+        names, _, included = (re.findall(r"`([^`]+)`", cell) for cell in cells)
+        for name in (written_out(name, folder) for name in names):
+            if name in self.allowed:
+                self.mistakes.append(f"docs/design.md: {name} stands in two rows")
+            self.allowed[name] = [written_out(i, folder) for i in included]
 
     def of(self, path):
         """The room of a file; None if it is in none."""
@@ -108,6 +118,8 @@ def quoted_mistake(folder, place, included, rooms):
 
 
 def angle_mistake(folder, included):
+    if "/" in included and included.split("/")[0] in {*MOST_FILES, *WITHOUT_ROOMS}:
+        return "is ours, and belongs into quotes"
     if folder in FREESTANDING_FOLDERS and included not in FREESTANDING:
         return f"is no freestanding header, as {folder}/ needs"
     return None
@@ -156,7 +168,7 @@ def room_mistakes(root, rooms):
 def check(root):
     """All violations below `root`, one line each."""
     rooms = Rooms((root / "docs/design.md").read_text(encoding="utf-8"))
-    mistakes = list(room_mistakes(root, rooms))
+    mistakes = [*rooms.mistakes, *room_mistakes(root, rooms)]
     users = {library: set() for library in HIDDEN}
     for folder, path in sources(root):
         place = path.relative_to(root).as_posix()

@@ -85,6 +85,15 @@ class Layering(unittest.TestCase):
         self.assertEqual(["docs/design.md: host/none has no files"],
                          self.mistakes({}, DESIGN + "| `none` | nothing | |\n"))
 
+    def test_refuses_rows_that_are_wrong(self):
+        self.assertEqual(["docs/design.md: core/low stands in two rows"],
+                         self.mistakes({}, DESIGN.replace("| `core/own.hpp` |", "| `core/low` | again | |\n| `core/own.hpp` |")))
+        self.assertEqual(["docs/design.md: not three cells: | `none` | nothing |"],
+                         self.mistakes({}, DESIGN + "| `none` | nothing |\n"))
+
+    def test_refuses_own_headers_in_angle_brackets(self):
+        self.assertIn("belongs into quotes", self.mistakes({"host/b.cpp": "#include <core/a.hpp>\n"})[0])
+
     def test_refuses_rooms_that_are_too_full(self):
         for folder, most in [("core/low", 40), ("host/a/b", 60)]:
             names = [f"{folder}/{number}.hpp" for number in range(most - 1)]
