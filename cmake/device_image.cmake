@@ -7,17 +7,16 @@ include(${PROJECT_SOURCE_DIR}/firmware/sources.cmake)
 # through.
 set(KFAST_EVERY_ROW
     player raster/coverage
-    beam/beam_lines beam/beam_route beam/beam_timing beam/beam_turn beam/leg_corners beam/line_interpolator beam/nearest_neighbour
-    beam/point_sequencer beam/point_stream beam/tour)
+    beam/beam_lines beam/beam_route beam/line_interpolator beam/nearest_neighbour beam/point_sequencer beam/point_stream
+    beam/tour)
 list(TRANSFORM KFAST_EVERY_ROW PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
 # What is done once for a scene or for an item of a picture.
 set(KFAST_EACH_ITEM
-    math/affine math/space
-    parse_scene scene/input_view scene/item_view scene/label_view scene/path_view scene/scene_view
+    parse_scene scene/input_view scene/item_view scene/scene_view
     prepared/key_timeline prepared/preparer prepared/prepared_scene
-    pose/item_state pose/scene_state pose/object_strokes pose/rigid_placement pose/scene_on_panel
+    pose/item_state pose/scene_state pose/object_strokes
     scene_walk tracer)
 list(TRANSFORM KFAST_EACH_ITEM PREPEND ${PROJECT_SOURCE_DIR}/core/)
 list(TRANSFORM KFAST_EACH_ITEM APPEND .cpp)

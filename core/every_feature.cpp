@@ -1,15 +1,14 @@
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 
 #include "core/bytes/function_ref.hpp"
-#include "core/math/space.hpp"
-#include "core/math/turning.hpp"
-#include "core/pose/input_drawings.hpp"
+#include "core/math/projection.hpp"
+#include "core/pose/input_drawing.hpp"
 #include "core/pose/object_strokes.hpp"
 #include "core/pose/posed_bones.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
 #include "core/scene/check/scene_check.hpp"
-#include "core/scene/path_view.hpp"
+#include "core/scene/track_view.hpp"
 #include "core/tracer.hpp"
 
 using namespace kfast;

@@ -3,7 +3,7 @@
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/scene/time_code.hpp"
+#include "core/scene/track_view.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/bytes/result.hpp"
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 #include "core/math/point.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "core/pose/scene_state.hpp"
-#include "core/raster/change.hpp"
+#include "core/raster/dirty.hpp"
 #include "core/raster/renderer.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/mark_view.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/scene_walk.hpp"
 
 #include "core/bytes/op_counter.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/scene/item_view.hpp"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/math/space.hpp"
+#include "core/math/projection.hpp"
 #include "core/pose/item_state.hpp"
-#include "core/pose/scene_on_panel.hpp"
-#include "core/prepared/node.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/prepared/prepared_scene.hpp"
 #include "core/time/time.hpp"
 

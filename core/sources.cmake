@@ -2,111 +2,70 @@
 set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/math/affine.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/angle.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/backbone_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/backbone_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_skeletons.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/skeleton_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/point_sequencer.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/step_profile.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_timing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pen.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/line_interpolator.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_player.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_lines.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/point_stream.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_pen.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_route.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/beam_tracer.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/beam_turn.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/hatching.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/hatching_bytes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/leg_corners.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/nearest_neighbour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/beam/strip_order.cpp
     ${CMAKE_CURRENT_LIST_DIR}/beam/tour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/key_time_cursor.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/bytes/bit_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/bone_check.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/bone_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/canvas_map.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/deformed_drawing.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/track_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/byte_reader.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_bones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/code_point.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/crc32.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/drawing_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/prepared/preparer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/prepared/prepared_scene.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_walk.cpp
     ${CMAKE_CURRENT_LIST_DIR}/prepared/key_timeline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/every_feature.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/flatten.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/glyph_set.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/direction.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time/hermite.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/input_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/track.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/item_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/item_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time/key_interval.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/label_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/label_layout.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/label_trace.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/label_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time/law_pair.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/time/velocity_law.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/posed_backbones.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_bones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/input_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/input_drawings.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/scene_state.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/posed_strokes.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/input_texts.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/posed_wires.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/mark_view.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/scene_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/object_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/object_strokes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/packed_drawing.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/packed_values.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/picture_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/picture_cost.cpp
     ${CMAKE_CURRENT_LIST_DIR}/parse_scene.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/path_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/player.cpp
     ${CMAKE_CURRENT_LIST_DIR}/playhead.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/point_map.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/projection.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/band.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/chain_builder.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/chain.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/contour_cache.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/coverage.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/dirty.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/edge_group.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/far_contour.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/kept_layers.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/simplify.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/outline_store_kept.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/layer_row_many.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/match.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/outline_store.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/placed_contours.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/renderer_block.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/row_chain.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/sample_line.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/simplify.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/raster/slots.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/rigid_placement.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_items.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_live.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_objects.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/scene_on_panel.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/scene_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/view_projection.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/segment.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/skin_reader.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/space.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/stroke_form.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/stroke_outline.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/time_code.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time/track.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/scene/track_view.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/math/turning.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/pose/tween_cache.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/time/velocity_law.cpp)
+    ${CMAKE_CURRENT_LIST_DIR}/pose/tween_cache.cpp)

@@ -1,10 +1,10 @@
 #include "core/tracer.hpp"
 
 #include "core/bytes/op_counter.hpp"
-#include "core/feature_code.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/features.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/pose/input_drawing.hpp"
-#include "core/pose/label_trace.hpp"
+#include "core/pose/label_layout.hpp"
 
 namespace kfast {
 namespace {

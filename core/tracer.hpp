@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/bytes/function_ref.hpp"
-#include "core/math/space.hpp"
+#include "core/math/projection.hpp"
 #include "core/pose/item_state.hpp"
 #include "core/pose/object_strokes.hpp"
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/raster/outline/object_outline.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
@@ -27,7 +27,7 @@ public:
     /// picture finds no room otherwise.
     void run();
 
-    // Called for features (core/feature_code.hpp).
+    // Called for features (core/features.hpp).
 
     /// Adds strokes, placed by a map, to an outline.
     using TraceStrokes = FunctionRef<void(const Affine&, ObjectOutline&)>;

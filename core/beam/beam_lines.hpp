@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/beam/beam_point.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/beam/beam_profile.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <algorithm>
 #include <cstddef>

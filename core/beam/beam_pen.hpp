@@ -3,9 +3,9 @@
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/math/point.hpp"
-#include "core/math/segment.hpp"
-#include "core/math/view_projection.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/math/flatten.hpp"
+#include "core/math/projection.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "core/beam/beam_player.hpp"
 
 #include "core/beam/beam_tracer.hpp"
-#include "core/beam/hatching_bytes.hpp"
+#include "core/beam/hatching.hpp"
 #include "core/bytes/bump_allocator.hpp"
 
 #include <algorithm>

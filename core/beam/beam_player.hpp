@@ -3,7 +3,6 @@
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
-#include "core/beam/beam_timing.hpp"
 #include "core/beam/point_stream.hpp"
 #include "core/bytes/result.hpp"
 #include "core/pose/scene_state.hpp"

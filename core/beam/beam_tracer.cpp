@@ -3,9 +3,9 @@
 #include "core/beam/beam_pen.hpp"
 #include "core/beam/hatching.hpp"
 #include "core/math/projection.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/pose/input_drawing.hpp"
-#include "core/pose/label_trace.hpp"
+#include "core/pose/label_layout.hpp"
 
 namespace kfast {
 namespace {

@@ -3,7 +3,7 @@
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_pen.hpp"
 #include "core/pose/object_strokes.hpp"
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene_walk.hpp"
 
 #include <cstdint>

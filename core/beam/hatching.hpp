@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/math/affine.hpp"
+#include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
-#include "core/math/point_map.hpp"
-#include "core/math/segment.hpp"
-#include "core/math/view_projection.hpp"
+#include "core/math/projection.hpp"
 #include "core/pixel/paint_style.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -104,5 +104,10 @@ private:
     Point last_;
     bool is_full_ = false;
 };
+
+/// Memory for the hatchings of a scene, besides that for outlines, a multiple of 4: for two crossings on each
+/// line of every hatched object, as if each were as large as the canvas. What is larger, or has more holes,
+/// has the room that others leave.
+std::size_t hatching_bytes(const SceneView& scene);
 
 }

@@ -1,10 +1,47 @@
 #pragma once
 
-#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <cstdint>
 
 namespace kfast {
+
+/// How far a beam goes from point to point, and how long it waits, at some speed level. Four more are twice
+/// as fast.
+class StepProfile {
+public:
+    /// As fast as can be: every line is crossed at once.
+    static constexpr int max_speed_level = 4 * 31;
+    /// Where speed stands for light, darker lines are drawn as if they were as bright as this, so that the
+    /// beam is no more than 8 times as fast as along the brightest.
+    static constexpr std::uint32_t darkest = 32;
+    /// How long a dot is lit besides its dwell, in points, so that it is as bright as a line.
+    static constexpr std::uint32_t dot_points = 4;
+
+    /// `profile` must outlive it.
+    StepProfile(const BeamProfile& profile, int speed_level) : profile_{&profile}, speed_level_{speed_level}
+    {
+    }
+
+    /// In units of the field, at least 1.
+    std::uint32_t lit_step(Colour colour) const;
+    /// Likewise; 0 if the beam jumps.
+    std::uint32_t travel_step() const;
+    /// What is left of a time in points.
+    std::uint32_t dwell(std::uint32_t points) const { return points >> (speed_level_ >> 2); }
+    /// At least 1.
+    std::uint32_t dot_dwell(Colour colour) const;
+    /// Corners are points. In a great hurry they are cut off.
+    bool hits_corners() const { return speed_level_ < 4 * 3; }
+    const BeamProfile& profile() const { return *profile_; }
+
+private:
+    std::uint32_t scaled_step(std::uint32_t step) const;
+
+    const BeamProfile* profile_;
+    int speed_level_;
+};
 
 /// A straight piece of a line.
 class LineInterpolator {
@@ -59,6 +96,41 @@ private:
     std::uint32_t rest_ = 0;
     std::uint32_t error_ = 0; ///< of the distance, in 1 / count, and a half
     std::uint32_t at_ = 0;
+};
+
+/// Which way a straight piece runs.
+class BeamDirection {
+public:
+    /// Shorter pieces have none: their corners are rounded.
+    static constexpr std::uint32_t shortest = 8;
+
+    BeamDirection() = default;
+    BeamDirection(FieldVector piece, std::uint32_t length);
+
+    bool is_known() const { return length_ != 0; }
+
+private:
+    friend class BeamTurn;
+
+    std::int32_t x_ = 0; ///< so that the products of two, added up, fit in 32 bits
+    std::int32_t y_ = 0;
+    std::uint32_t length_ = 0;
+};
+
+/// How sharply a line turns from one piece to the next: by (1 - cos) / 2 of the angle, 0 … 1.
+class BeamTurn {
+public:
+    /// None if one of them is not known.
+    BeamTurn(const BeamDirection& before, const BeamDirection& after);
+
+    /// By 29° (the cosine is 7/8) or more. What turns by less is taken for a curve.
+    bool is_corner() const { return rest_ > whole_ >> 3; }
+    /// The share of `max`, at most 255, rounded to nearest; none where there is no corner.
+    std::uint32_t share_of(std::uint32_t max) const;
+
+private:
+    std::uint32_t whole_ = 0; ///< the product of the lengths
+    std::uint32_t rest_ = 0;  ///< (1 - cos) times that
 };
 
 }

@@ -1,6 +1,6 @@
 #include "core/beam/nearest_neighbour.hpp"
 
-#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
 
 #include <algorithm>
 #include <limits>

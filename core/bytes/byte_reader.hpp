@@ -99,4 +99,80 @@ inline std::string_view read_name(ByteReader& bytes)
     return name;
 }
 
+/// Reads bits from front to back, the highest bit of each byte first. Past the end it reads zeros and can
+/// tell that it did.
+class BitReader {
+public:
+    /// So many bits can be looked at at once.
+    static constexpr std::uint32_t max = 25;
+
+    BitReader() = default;
+    explicit BitReader(std::span<const std::byte> bytes)
+        : bytes_{bytes.data()}, size_{static_cast<std::uint32_t>(std::min(bytes.size(), max_bytes))}
+    {
+    }
+
+    /// Takes the whole bytes of `count` numbers of `width` bits, at most 64. It may read ahead in what
+    /// follows them.
+    static BitReader take(ByteReader& bytes, std::uint32_t count, std::uint32_t width);
+
+    /// The next bits, at least `max`, the first one highest.
+    std::uint32_t ahead() const
+    {
+        const std::uint32_t byte = at_ >> 3;
+        const std::uint32_t word = byte + 4 <= size_ ? word_at(bytes_ + byte) : last_word(byte);
+        return word << (at_ & 7);
+    }
+    void skip(std::uint32_t count) { at_ += count; }
+    /// To the bit `at`, counted from the first one.
+    void go_to(std::uint32_t at) { at_ = at; }
+
+    /// The next `count` bits, 1 … `max`.
+    std::uint32_t bits(std::uint32_t count)
+    {
+        const std::uint32_t value = ahead() >> (32 - count);
+        skip(count);
+        return value;
+    }
+    /// The next `count` bits, 0 … 32.
+    std::uint32_t number(std::uint32_t count)
+    {
+        if (count == 0)
+            return 0;
+        if (count <= max)
+            return bits(count);
+        const std::uint32_t high = bits(count - 16);
+        return high << 16 | bits(16);
+    }
+    std::int32_t signed_bits(std::uint32_t count)
+    {
+        const std::int32_t value = static_cast<std::int32_t>(ahead()) >> (32 - count);
+        skip(count);
+        return value;
+    }
+
+    /// What begins with the first byte of which no bit has been read.
+    std::span<const std::byte> rest() const
+    {
+        const std::uint32_t read = std::min((at_ + 7) / 8, size_);
+        return {bytes_ + read, size_ - read};
+    }
+    bool overrun() const { return at_ > 8 * size_; }
+
+private:
+    static constexpr std::size_t max_bytes = 1U << 28; ///< whose bits can be counted
+
+    static std::uint32_t word_at(const std::byte* at)
+    {
+        const auto byte = [at](int i) { return std::to_integer<std::uint32_t>(at[i]); };
+        return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+    }
+
+    std::uint32_t last_word(std::uint32_t byte) const;
+
+    const std::byte* bytes_ = nullptr;
+    std::uint32_t size_ = 0;
+    std::uint32_t at_ = 0; ///< in bits
+};
+
 }

@@ -1,5 +1,6 @@
 #include "core/math/affine.hpp"
 
+#include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 
@@ -7,6 +8,7 @@
 #include <cstdlib>
 
 namespace kfast {
+
 namespace {
 
 constexpr std::int64_t widest = Fixed::pixels(4095).raw();
@@ -66,6 +68,82 @@ Fixed half_width(Fixed width, std::int32_t scale_factor)
 {
     const std::int64_t raw = (std::int64_t{width.raw()} * scale_factor + Fixed::one) >> 17;
     return Fixed::from_raw(static_cast<std::int32_t>(std::min(raw, widest)));
+}
+
+namespace {
+
+/// to / from in Q16, rounded to nearest; both are sides of canvases and panels.
+std::int32_t ratio(int to, int from)
+{
+    const auto divisor = static_cast<std::uint32_t>(from);
+    return static_cast<std::int32_t>((static_cast<std::uint32_t>(to) * Fixed::one + divisor / 2) / divisor);
+}
+
+std::int32_t scale_for(Size canvas, Size panel, Fit fit)
+{
+    if (fit == Fit::none)
+        return Fixed::one;
+    const bool is_wider = canvas.width * panel.height > panel.width * canvas.height;
+    return is_wider == (fit == Fit::contain) ? ratio(panel.width, canvas.width)
+                                             : ratio(panel.height, canvas.height);
+}
+
+std::int64_t centring(int canvas, int panel, std::int32_t scale)
+{
+    return (std::int64_t{panel} * Fixed::one - std::int64_t{canvas} * scale) / 2;
+}
+
+}
+
+Affine canvas_map(Size canvas, Size panel, Fit fit)
+{
+    const std::int32_t scale = scale_for(canvas, panel, fit);
+    return {.xx = scale,
+            .yy = scale,
+            .x0 = centring(canvas.width, panel.width, scale),
+            .y0 = centring(canvas.height, panel.height, scale)};
+}
+
+namespace {
+
+/// Of |x| and |y| before a shift, and of the shift: their sum need not be held.
+constexpr std::int32_t small_shift = Fixed::pixels(max_coordinate / 2).raw();
+
+constexpr bool is_within(std::int64_t value, std::int32_t limit) { return value > -limit && value < limit; }
+
+}
+
+PointMap::PointMap(const Affine& map) : map_{map}, kind_{Kind::any}
+{
+    if (!is_within(map.x0, small_shift) || !is_within(map.y0, small_shift))
+        return;
+    if (map.xx == Fixed::one && map.yy == Fixed::one && map.xy == 0 && map.yx == 0)
+        kind_ = Kind::shift;
+    else if (is_small_factor(map.xx) && is_small_factor(map.xy) && is_small_factor(map.yx) &&
+             is_small_factor(map.yy))
+        kind_ = Kind::small;
+}
+
+Point PointMap::shift() const
+{
+    return {Fixed::from_raw(static_cast<std::int32_t>(map_.x0)),
+            Fixed::from_raw(static_cast<std::int32_t>(map_.y0))};
+}
+
+Point PointMap::operator()(Point point) const
+{
+    const std::int32_t x = point.x.raw();
+    const std::int32_t y = point.y.raw();
+    const auto x0 = static_cast<std::int32_t>(map_.x0);
+    const auto y0 = static_cast<std::int32_t>(map_.y0);
+    if (kind_ == Kind::shift && is_within(x, small_shift) && is_within(y, small_shift))
+        return {Fixed::from_raw(x + x0), Fixed::from_raw(y + y0)};
+    const bool is_short = kind_ == Kind::small && is_small_distance(x) && is_small_distance(y);
+    count_op(is_short ? Op::point : Op::wide_point);
+    if (is_short)
+        return {held(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
+                held(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
+    return map_(point);
 }
 
 }

@@ -40,4 +40,35 @@ Affine operator*(const Affine& outer, const Affine& inner);
 /// 1/65536 px, at most 4095 px.
 Fixed half_width(Fixed width, std::int32_t scale_factor);
 
+/// How the canvas is laid on a panel of another size; always centred.
+enum class Fit : std::uint8_t {
+    contain, ///< as large as fits whole, background around it
+    cover,   ///< as small as fills the panel, the rest is cut off
+    none,    ///< one canvas pixel is one panel pixel
+};
+
+/// From canvas to panel coordinates: one scale for both axes, rounded to 1/65536, then a shift. The sides are
+/// 1 … 4096 pixels long.
+Affine canvas_map(Size canvas, Size panel, Fit fit);
+
+/// An Affine made ready for many points: the same bits in fewer steps. Most only shift, and few lead so far
+/// that 64 bits are needed.
+class PointMap {
+public:
+    /// `map` must outlive this.
+    explicit PointMap(const Affine& map);
+
+    Point operator()(Point point) const;
+
+    /// Whether points within 1024 px, or more, are moved by shift() and no more.
+    bool is_shift() const { return kind_ == Kind::shift; }
+    Point shift() const;
+
+private:
+    enum class Kind : std::uint8_t { shift, small, any };
+
+    const Affine& map_;
+    Kind kind_;
+};
+
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/math/fixed.hpp"
+#include "core/math/point.hpp"
 
 #include <cstdint>
 
@@ -56,5 +57,20 @@ inline std::int32_t cosine(BinaryAngle angle) { return cosine(FineAngle::of(angl
 /// The direction of the vector (x, y), within 1 unit of the exact value; 0 for the vector (0, 0).
 /// |x| and |y| are less than 2^31.
 BinaryAngle direction(std::int32_t x, std::int32_t y);
+
+/// A direction as a unit vector in Q15, within 1/15000 rad.
+struct Direction {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+};
+
+/// A direction and how far it leads.
+struct PolarVector {
+    Direction direction;
+    std::uint32_t length = 0; ///< in 1/65536 px, within 1/5000 of it
+};
+
+/// `vector` is not (0, 0).
+PolarVector to_polar(Point vector);
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/bytes/function_ref.hpp"
 #include "core/bytes/op_counter.hpp"
+#include "core/features.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 
@@ -9,6 +10,106 @@
 #include <bit>
 
 namespace kfast {
+
+namespace {
+
+/// What three numbers in the place of x, y and z come to, without the shift; rounded to nearest, halves up.
+struct Triple {
+    std::int64_t x;
+    std::int64_t y;
+    std::int64_t z;
+};
+
+[[gnu::noinline]] Triple turned(const Space& space, const Triple& from)
+{
+    const auto sum = [&from](std::int32_t p, std::int32_t q, std::int32_t r) {
+        return (p * from.x + q * from.y + r * from.z + Fixed::one / 2) >> 16;
+    };
+    return {sum(space.plane.xx, space.plane.xy, space.xz), sum(space.plane.yx, space.plane.yy, space.yz),
+            sum(space.zx, space.zy, space.zz)};
+}
+
+}
+
+Space product(const Space& outer, const Space& inner, const Features& features)
+{
+    if (outer.is_flat() && inner.is_flat())
+        return {.plane = outer.plane * inner.plane,
+                .zz = held_factor(sum_of_products(outer.zz, inner.zz, 0, 0))};
+    return features.depth->product(outer, inner);
+}
+
+Space product_in_depth(const Space& outer, const Space& inner)
+{
+    const Triple x = turned(outer, {inner.plane.xx, inner.plane.yx, inner.zx});
+    const Triple y = turned(outer, {inner.plane.xy, inner.plane.yy, inner.zy});
+    const Triple z = turned(outer, {inner.xz, inner.yz, inner.zz});
+    const Triple shift = turned(outer, {inner.plane.x0, inner.plane.y0, inner.z0});
+    return {.plane = {.xx = held_factor(x.x),
+                      .xy = held_factor(y.x),
+                      .yx = held_factor(x.y),
+                      .yy = held_factor(y.y),
+                      .x0 = outer.plane.x0 + shift.x,
+                      .y0 = outer.plane.y0 + shift.y},
+            .xz = held_factor(z.x),
+            .yz = held_factor(z.y),
+            .zx = held_factor(x.z),
+            .zy = held_factor(y.z),
+            .zz = held_factor(z.z),
+            .z0 = outer.z0 + shift.z};
+}
+
+namespace {
+
+/// A unit vector's component in Q30 times a scale in 1/2^20, as a Q16 factor.
+std::int32_t scaled_component(std::int32_t component, std::int32_t scale)
+{
+    return multiply(component, scale, 34);
+}
+
+/// A unit vector's component in Q30, in Q16.
+std::int32_t component(std::int32_t q30) { return (q30 + (1 << 13)) >> 14; }
+
+/// Of two components of unit vectors.
+std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
+
+struct CosineSine {
+    explicit CosineSine(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
+
+    std::int32_t cosine; ///< Q30
+    std::int32_t sine;
+};
+
+}
+
+Space upright(const Turning& turning)
+{
+    const CosineSine z{turning.z};
+    return {.plane = {.xx = scaled_component(z.cosine, turning.scale_x),
+                      .xy = scaled_component(-z.sine, turning.scale_y),
+                      .yx = scaled_component(z.sine, turning.scale_x),
+                      .yy = scaled_component(z.cosine, turning.scale_y)}};
+}
+
+Space tilted(const Turning& turning)
+{
+    const CosineSine x{turning.x};
+    const CosineSine y{turning.y};
+    const CosineSine z{turning.z};
+    const auto [scale_x, scale_y] = std::pair{turning.scale_x, turning.scale_y};
+    const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
+    const std::int32_t deep_y = product(y.sine, z.sine);
+    return {.plane = {.xx = scaled_component(product(y.cosine, z.cosine), scale_x),
+                      .xy = scaled_component(-product(y.cosine, z.sine), scale_y),
+                      .yx = scaled_component(product(x.cosine, z.sine) - product(x.sine, deep_x), scale_x),
+                      .yy = scaled_component(product(x.cosine, z.cosine) - product(x.sine, deep_y), scale_y)},
+            .xz = component(y.sine),
+            .yz = component(-product(x.sine, y.cosine)),
+            .zx = scaled_component(product(x.sine, z.sine) + product(x.cosine, deep_x), scale_x),
+            .zy = scaled_component(product(x.sine, z.cosine) + product(x.cosine, deep_y), scale_y),
+            .zz = component(product(x.cosine, y.cosine))};
+}
+
 namespace {
 
 constexpr int nearness_bits = 24;
@@ -101,6 +202,18 @@ std::int32_t Projection::scale_factor_facing(Point point) const
     const Affine& plane = space_.plane;
     const std::uint64_t area = length(plane.xx, plane.yx, space_.zx) * length(plane.xy, plane.yy, space_.zy);
     return held_factor(times(square_root(area), nearness(point)));
+}
+
+int ViewProjection::pieces_of(const Segment& segment) const
+{
+    if (segment.kind == Segment::Kind::line)
+        return 1;
+    const ViewProjection& seen = *this;
+    const int needed = projection_ == nullptr
+                           ? pieces_for(segment)
+                           : pieces_for({segment.kind, seen(segment.from), seen(segment.c1), seen(segment.c2),
+                                         seen(segment.to)});
+    return coarser(needed, coarseness_);
 }
 
 }

@@ -1,11 +1,48 @@
 #pragma once
 
+#include "core/features.hpp"
+#include "core/math/affine.hpp"
+#include "core/math/angle.hpp"
+#include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
-#include "core/math/space.hpp"
 
 #include <cstdint>
 
 namespace kfast {
+
+/// A map of space, on its way from an item's own plane, z = 0, to the panel. z points at the viewer.
+struct Space {
+    Affine plane; ///< x' and y' of the points with z = 0
+    // x' += xz z, y' += yz z, z' = zx x + zy y + zz z + z0
+    std::int32_t xz = 0; ///< Q16, as the next four
+    std::int32_t yz = 0;
+    std::int32_t zx = 0;
+    std::int32_t zy = 0;
+    std::int32_t zz = Fixed::one;
+    std::int64_t z0 = 0; ///< in 1/65536 px
+
+    /// Whether z plays no part in it: `plane` is all that there is to say.
+    bool is_flat() const { return xz == 0 && yz == 0 && zx == 0 && zy == 0 && z0 == 0; }
+};
+
+/// First `inner`, then `outer`; rounded and held as the product of two Affine. `features` has depth if one of
+/// them is not flat.
+Space product(const Space& outer, const Space& inner, const Features& features);
+/// The same of any two.
+Space product_in_depth(const Space& outer, const Space& inner);
+
+/// How an item grows and turns about its pivot: first it grows, then it turns about z, y and x.
+struct Turning {
+    FineAngle x;
+    FineAngle y;
+    FineAngle z;
+    std::int32_t scale_x = 0; ///< in 1/2^20
+    std::int32_t scale_y = 0;
+};
+
+/// Where it turns about z alone. Every factor is rounded to Q16 once, as by tilted().
+Space upright(const Turning& turning);
+Space tilted(const Turning& turning);
 
 /// Where the viewer is: in front of the middle of the panel.
 struct Camera {
@@ -40,6 +77,28 @@ private:
     Point (*see_)(const Projection&, Point);
     Space space_;
     Camera camera_;
+};
+
+/// How the points of an object are seen: as they lie, or projected.
+class ViewProjection {
+public:
+    /// As they lie if `projection`, which must outlive it, is null. `coarseness` makes the pieces of curves
+    /// that often twice as long as the precision asks for.
+    ViewProjection(const Projection* projection, int coarseness)
+        : projection_{projection}, coarseness_{coarseness}
+    {
+    }
+
+    bool is_flat() const { return projection_ == nullptr; }
+    Point operator()(Point at) const { return projection_ == nullptr ? at : (*projection_)(at); }
+    /// How many straight pieces are to be seen in the place of `segment`. The pieces are projected: the
+    /// projection of a curve is not the curve of the projected points.
+    int pieces_of(const Segment& segment) const;
+    int coarseness() const { return coarseness_; }
+
+private:
+    const Projection* projection_;
+    int coarseness_;
 };
 
 }

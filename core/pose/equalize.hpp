@@ -175,7 +175,7 @@ inline void make_same_kind(Pair<Segment>& both)
 /// Points that are added lie on a grid of 1/64 px, as those that are drawn do.
 ///
 /// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points lie less than
-/// 32768 px apart in x and in y (core/math/segment.hpp). What the readers look at must outlive the pair.
+/// 32768 px apart in x and in y (core/math/flatten.hpp). What the readers look at must outlive the pair.
 template <DrawingReader R>
 class EqualizedPair {
 public:

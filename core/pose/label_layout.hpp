@@ -1,11 +1,18 @@
 #pragma once
 
+#include "core/bytes/op_counter.hpp"
+#include "core/math/affine.hpp"
 #include "core/math/point.hpp"
-#include "core/scene/label_view.hpp"
+#include "core/pose/posed_bones.hpp"
+#include "core/pose/posed_strokes.hpp"
+#include "core/scene/input_view.hpp"
+#include "core/scene/packed_drawing.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace kfast {
 
@@ -32,6 +39,55 @@ private:
     const LabelView& label_;
     std::span<const std::byte> rest_;
     std::int32_t x_; ///< where the next glyph begins, in 1/4096 px
+};
+
+/// A text as a label shows it.
+class LabelTrace {
+public:
+    /// `glyphs` are those of the text, `drawings` is the scene's section of drawings; both must outlive it.
+    LabelTrace(const LabelView& label, std::span<const std::byte> glyphs, std::span<const std::byte> drawings)
+        : label_{label}, glyphs_{glyphs}, drawings_{drawings}
+    {
+    }
+
+    /// Where the first stroke begins; the origin if there is none.
+    Point start() const;
+    /// Adds the strokes of all glyphs, placed.
+    template <class Outline>
+    void trace(const Affine& placement, Outline& outline) const
+    {
+        for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
+            const PlacedGlyph glyph = layout.next();
+            count_op(Op::object);
+            DeformedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
+            trace_strokes(drawing, placement, outline);
+        }
+    }
+
+private:
+    LabelView label_;
+    std::span<const std::byte> glyphs_;
+    std::span<const std::byte> drawings_;
+};
+
+/// The texts that a scene takes from outside, as numbers of their glyphs, in memory that the caller lends.
+class InputTexts {
+public:
+    /// Bytes of memory for all of them.
+    static std::size_t bytes_for(const SceneView& scene);
+
+    InputTexts() = default;
+    /// `memory` has bytes_for(scene). Holds what is default.
+    InputTexts(const SceneView& scene, std::span<std::byte> memory);
+
+    /// The glyphs of the input `number` of `scene`, the one that these were made for; it is a text.
+    std::span<const std::byte> glyphs(const SceneView& scene, std::uint32_t number) const;
+    /// Makes it `text`, in UTF-8, and tells whether that changes it. Characters without a glyph are left out,
+    /// and so are those beyond the most that the input takes. An input that is no text stays as it is.
+    bool put(const SceneView& scene, std::uint32_t number, std::string_view text);
+
+private:
+    std::span<std::byte> memory_; ///< of each text how many glyphs it has, and room for the most of them
 };
 
 }

@@ -2,16 +2,15 @@
 
 #include "core/bytes/op_counter.hpp"
 #include "core/bytes/picture_cache.hpp"
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
-#include "core/pose/deformed_drawing.hpp"
+#include "core/pose/posed_bones.hpp"
 #include "core/pose/posed_backbones.hpp"
 #include "core/pose/posed_strokes.hpp"
-#include "core/pose/posed_wires.hpp"
-#include "core/pose/scene_on_panel.hpp"
-#include "core/prepared/node.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/pose/scene_state.hpp"
+#include "core/prepared/prepared_scene.hpp"
+#include "core/time/track.hpp"
 
 #include <concepts>
 #include <cstdint>
@@ -61,7 +60,7 @@ public:
         wires.trace(outline);
     }
 
-    // Called for features (core/feature_code.hpp).
+    // Called for features (core/features.hpp).
 
     /// On the way to the next key. Apart, for it takes much of the stack.
     template <class Outline>

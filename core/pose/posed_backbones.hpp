@@ -2,9 +2,9 @@
 
 #include "core/bytes/function_ref.hpp"
 #include "core/pose/tween_cache.hpp"
-#include "core/scene/backbone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/scene/packed_drawing.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 
 #include <cstddef>
 #include <cstdint>

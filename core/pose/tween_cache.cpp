@@ -1,6 +1,6 @@
 #include "core/pose/tween_cache.hpp"
 
-#include "core/pose/deformed_drawing.hpp"
+#include "core/pose/posed_bones.hpp"
 
 #include <algorithm>
 #include <cstdlib>

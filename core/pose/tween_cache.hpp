@@ -2,7 +2,7 @@
 
 #include "core/bytes/picture_cache.hpp"
 #include "core/pose/equalize.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 
 #include <cstddef>
 #include <cstdint>

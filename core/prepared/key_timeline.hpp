@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/scene/key_time_cursor.hpp"
+#include "core/scene/track_view.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/hermite.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 #include "core/time/time.hpp"
 
 #include <cstdint>

@@ -2,11 +2,12 @@
 
 #include "core/bytes/bump_allocator.hpp"
 #include "core/bytes/op_counter.hpp"
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/prepared/preparer.hpp"
-#include "core/time/hermite.hpp"
+#include "core/time/track.hpp"
 
 namespace kfast {
+
 namespace {
 
 std::size_t timeline_bytes(const SceneView& scene) { return scene.records().timelines * sizeof(KeyTimeline); }

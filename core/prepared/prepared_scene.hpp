@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/prepared/key_timeline.hpp"
-#include "core/prepared/node.hpp"
+#include "core/scene/item_view.hpp"
+#include "core/scene/property.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
@@ -10,6 +11,90 @@
 #include <span>
 
 namespace kfast {
+
+// Places are those of SceneView::place_of(), not pointers: the records are of one size on all machines.
+
+/// One quantity of an item, an object's keys or a bone: what its stored values are at the two keys around the
+/// moment.
+struct TrackState {
+    static constexpr std::uint16_t no_timeline = 0xFFFF;
+
+    std::uint32_t values = 0; ///< the place of all of them (PackedValues); only with a timeline
+    std::int32_t from = 0;
+    std::int32_t to = 0;                  ///< without a timeline the same
+    std::uint16_t timeline = no_timeline; ///< the number of that by which it goes
+    std::uint8_t property = 0;            ///< a Property or BoneQuantity, or of an object's keys a KeyValue
+    bool is_smooth = false;               ///< TrackView::is_smooth
+
+    bool has_timeline() const { return timeline != no_timeline; }
+};
+
+/// What the keys of an object have, in the order of its tracks behind those of its properties. All have a
+/// drawing; if backbones carry it, it has neither bones nor depths.
+enum class KeyValue : std::uint8_t { drawing, arrival, more, backbones };
+
+/// An item that a scene stores, or a symbol, or the scene itself, ready to be evaluated. All lie in one
+/// array, each before what lies within it: symbols, then the scene.
+struct Node {
+    std::uint32_t place = 0; ///< in the scene's bytes, where it begins; 0 of symbols and the scene
+    std::uint16_t end = 0;   ///< the number of the node behind all that lies within it
+    std::uint16_t first_track = 0;
+    /// Of a use the number of the symbol's node, of what is live that of the input, of what bones carry that
+    /// of the first of them.
+    std::uint16_t of = 0;
+    std::uint8_t track_count = 0; ///< of properties
+    ItemKind kind = ItemKind::group;
+    InputLeaf live = InputLeaf::drawing; ///< only of what is live
+    Deformer deformer = Deformer::none;  ///< this and the rest only of an object
+    std::uint8_t unit_bits = 0;          ///< BackbonesView::unit_bits
+    std::uint8_t bone_count = 0;         ///< of its skeleton
+    bool has_arrivals : 1 = false;
+    bool has_depths : 1 = false;
+    bool is_placed : 1 = false; ///< some track moves, turns or scales it
+    bool has_path : 1 = false;  ///< the pivot follows one
+    /// Its opacity has to apply to its finished picture. A single layer is made transparent by its colour, in
+    /// however many groups and symbols it lies alone.
+    bool has_several_layers : 1 = false;
+    bool is_ordered : 1 = false; ///< something right inside of it has an order
+    ObjectStyle style;           ///< also of what is live
+
+    bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
+    /// Its keys have KeyValue::more, see Key::more.
+    bool has_more() const { return has_depths || deformer == Deformer::bones; }
+};
+
+/// A bone that a scene stores, ready to be posed.
+struct BoneNode {
+    std::uint32_t place = 0; ///< in the scene's bytes, where it begins
+    std::uint16_t first_track = 0;
+    std::uint16_t parent = 0; ///< 0 for a root, else the number of an earlier bone of the scene + 1
+    std::uint8_t track_count = 0;
+    Dependence dependence; ///< on what it depends, and its parents
+};
+
+static_assert(sizeof(TrackState) == 16 && sizeof(Node) == 32 && sizeof(BoneNode) == 20);
+static_assert(alignof(TrackState) == 4 && alignof(Node) == 4 && alignof(BoneNode) == 4);
+
+/// A node on the way from the scene to the one at which a walk (SceneWalk) stands. Of one size on all
+/// machines, as nodes are.
+struct WalkLevel {
+    std::uint16_t node = 0;  ///< its number
+    std::uint16_t first = 0; ///< nodes that lie within it, by their numbers
+    std::uint16_t next = 0;
+    std::uint16_t end = 0;
+    std::uint8_t opacity = 255;  ///< of its picture if it is blended, else of all that lies within it
+    std::uint8_t placed = 0;     ///< so many have spaces of their own, it and those around it
+    bool has_space : 1 = false;  ///< that of the last one of these is computed
+    bool is_ordered : 1 = false; ///< some of the nodes within it have an order
+    bool is_blended : 1 = false; ///< as a whole
+    bool is_to_come = false;     ///< a leaf to which nothing has come yet
+    std::int32_t order = 0;      ///< of the nodes that are passed now
+    std::int32_t next_order = 0; ///< the lowest above it, of those passed
+    std::uint32_t path = 0;      ///< see SceneWalk::path()
+    Dependence dependence{};     ///< what moves it as a whole
+};
+
+static_assert(sizeof(WalkLevel) == 32 && alignof(WalkLevel) == 4);
 
 /// An item as the scene stores it: what is read of it seldom. `node` is neither that of a symbol nor of the
 /// scene.

@@ -1,6 +1,6 @@
 #include "core/prepared/preparer.hpp"
 
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 #include <algorithm>

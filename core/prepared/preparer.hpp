@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/prepared/key_timeline.hpp"
-#include "core/prepared/node.hpp"
+#include "core/prepared/prepared_scene.hpp"
 #include "core/scene/scene_view.hpp"
 
 #include <cstdint>

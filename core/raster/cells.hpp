@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/op_counter.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/raster/coverage.hpp"
 
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace kfast::raster {
+
 namespace {
 
 constexpr int far = 0x7FFF;

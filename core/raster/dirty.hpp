@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/point.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/record.hpp"
 #include "core/raster/slots.hpp"
@@ -10,6 +11,12 @@
 #include <span>
 
 namespace kfast::raster {
+
+/// An area of a panel and what is to be seen there, row by row; every row starts on a byte.
+struct Change {
+    Rect area;
+    std::span<const std::byte> pixels;
+};
 
 /// Columns of a band that are drawn.
 struct Region {

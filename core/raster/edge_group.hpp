@@ -3,7 +3,6 @@
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/row_chain.hpp"
-#include "core/raster/sample_line.hpp"
 
 #include <cstddef>
 #include <cstdint>

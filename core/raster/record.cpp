@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace kfast::raster {
+
 namespace {
 
 /// To a place before it. The memory need not be aligned to words, where copying byte by byte would take long.

@@ -2,7 +2,7 @@
 
 #include "core/bytes/op_counter.hpp"
 #include "core/raster/band_painter.hpp"
-#include "core/raster/packing.hpp"
+#include "core/raster/record.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/math/point.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/cells.hpp"
-#include "core/raster/change.hpp"
 #include "core/raster/dirty.hpp"
 #include "core/raster/layer_row.hpp"
 #include "core/raster/outline/picture.hpp"

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/pixel/paint_style.hpp"
+#include "core/raster/coverage.hpp"
 #include "core/raster/outline/chain.hpp"
 #include "core/raster/outline/grid.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace kfast::raster {
@@ -50,6 +54,53 @@ struct RowChain {
         }
         visit(x, y, bottom_x, to);
     }
+};
+
+/// Where chains cross a line through a row, from left to right: a part of it at a time, for they are any
+/// number.
+///
+///     begin_part() -> add() for all chains -> walk() or add_inside(), until is_complete()
+class SampleLine {
+public:
+    static constexpr int count_in_row = 8;
+    static constexpr std::size_t max_count = 16; ///< crossings in a part
+
+    /// The n-th of a row.
+    explicit SampleLine(int number) : y_{(2 * number + 1) * grid / (2 * count_in_row)} {}
+
+    /// To the right of the parts before.
+    void begin_part();
+    /// In the same order for each part.
+    void add(const RowChain& chain);
+    /// This part is the last one.
+    bool is_complete() const { return !has_more_; }
+    /// Notes the windings in the part.
+    template <class Note>
+    void walk(std::int32_t winding, Note note) const
+    {
+        for (std::size_t i = 0; i != count_; ++i)
+            note(winding += step(i));
+    }
+    /// Adds a share of the row: what lies inside on the part; `winding` is that to the left of it. Returns
+    /// that to the right of it.
+    std::int32_t add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const;
+
+private:
+    /// They are in the order of their places, then in that of add().
+    struct Crossing {
+        std::int32_t x2; ///< 2 x, or 2 x + 1 if the outline runs up there
+        std::int32_t number;
+    };
+
+    int step(std::size_t place) const { return (crossings_[place].x2 & 1) == 0 ? 1 : -1; }
+
+    std::int32_t y_;
+    std::int32_t added_ = 0; ///< crossings, in this part and others
+    std::size_t count_ = 0;
+    bool has_more_ = false;
+    bool is_first_ = true;
+    Crossing before_{}; ///< the last one of the parts before
+    std::array<Crossing, max_count> crossings_;
 };
 
 }

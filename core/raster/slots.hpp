@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/raster/cells.hpp"
 #include "core/raster/outline/paint_step.hpp"
 
@@ -10,6 +10,10 @@
 #include <span>
 
 namespace kfast::raster {
+
+/// Finds the steps of two pictures that stand for the same thing, in the order of both, and notes each as the
+/// partner of the other.
+void match(std::span<PaintStep> shown, std::span<PaintStep> next);
 
 /// A set of slots, a bit for each.
 using SlotMask = std::uint32_t;

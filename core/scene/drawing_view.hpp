@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/segment.hpp"
+#include "core/math/flatten.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,78 @@
 #include "core/scene/input_view.hpp"
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/bytes/code_point.hpp"
 #include "core/math/fixed.hpp"
 
 #include <algorithm>
 
 namespace kfast {
+
+GlyphSet GlyphSet::take(ByteReader& bytes)
+{
+    GlyphSet set;
+    set.count_ = bytes.u8();
+    const std::size_t stretches = bytes.u8();
+    set.stretches_ = bytes.take(4 * stretches).rest();
+    return set;
+}
+
+std::optional<std::uint8_t> GlyphSet::glyph(char32_t character) const
+{
+    std::uint32_t low = 0; // what lies before it begins at `character` or before
+    for (std::uint32_t high = stretches(); low < high;) {
+        const std::uint32_t middle = (low + high) / 2;
+        if (stretch(middle).character <= character)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low == 0)
+        return std::nullopt;
+    const Stretch found = stretch(low - 1);
+    const std::uint32_t further = character - found.character;
+    if (further >= end_of(low - 1) - found.glyph)
+        return std::nullopt;
+    return static_cast<std::uint8_t>(found.glyph + further);
+}
+
+char32_t GlyphSet::character(std::uint32_t glyph) const
+{
+    std::uint32_t number = 0;
+    while (end_of(number) <= glyph)
+        ++number;
+    const Stretch found = stretch(number);
+    return found.character + (glyph - found.glyph);
+}
+
+bool GlyphSet::is_valid() const
+{
+    if (stretches() == 0 || stretch(0).glyph != 0)
+        return false;
+    for (std::uint32_t number = 0; number < stretches(); ++number) {
+        const Stretch here = stretch(number);
+        const std::uint32_t end = end_of(number);
+        if (end <= here.glyph)
+            return false;
+        const char32_t beyond = here.character + (end - here.glyph);
+        const bool is_last = number + 1 == stretches();
+        if (beyond > (is_last ? last_code_point + 1 : stretch(number + 1).character))
+            return false;
+    }
+    return true;
+}
+
+GlyphSet::Stretch GlyphSet::stretch(std::uint32_t number) const
+{
+    const std::uint32_t both = ByteReader{stretches_.subspan(std::size_t{4} * number)}.u32();
+    return {both & 0xFF, static_cast<char32_t>(both >> 8)};
+}
+
+std::uint32_t GlyphSet::end_of(std::uint32_t number) const
+{
+    return number + 1 < stretches() ? stretch(number + 1).glyph : count_;
+}
+
 namespace {
 
 TextInput take_text(ByteReader& bytes)
@@ -61,6 +128,43 @@ void put_default_places(InputCursor inputs, std::span<Time> places)
         const InputView input = inputs.next();
         place = input.place_of(input.default_value);
     }
+}
+
+LabelView LabelView::of(ByteReader bytes)
+{
+    LabelView label;
+    label.align = static_cast<Align>(bytes.u8());
+    label.x = bytes.signed_varint();
+    label.y = bytes.signed_varint();
+    label.spacing = bytes.signed_varint();
+    label.glyph_count = bytes.u8();
+    label.drawings = PackedValues::take(bytes, label.glyph_count);
+    label.advances = PackedValues::take(bytes, label.glyph_count);
+    const std::size_t pairs = bytes.u16();
+    label.pairs = bytes.take(2 * pairs).rest();
+    if (pairs != 0)
+        label.kerning = PackedValues::take(bytes, label.pair_count());
+    label.is_whole = !bytes.overrun() && bytes.left() == 0;
+    return label;
+}
+
+std::uint32_t LabelView::pair_code(std::uint32_t number) const
+{
+    return ByteReader{pairs.subspan(std::size_t{2} * number)}.u16();
+}
+
+std::int32_t LabelView::kerning_between(std::uint32_t left, std::uint32_t right) const
+{
+    const std::uint32_t code = left << 8 | right;
+    std::uint32_t low = 0; // pairs before it come before `code`
+    for (std::uint32_t high = pair_count(); low < high;) {
+        const std::uint32_t middle = (low + high) / 2;
+        if (pair_code(middle) < code)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < pair_count() && pair_code(low) == code ? kerning[low] : 0;
 }
 
 }

@@ -1,15 +1,49 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/scene/glyph_set.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "core/time/time.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 namespace kfast {
+
+/// The characters that a text of a scene may have, each with a number, its glyph's; borrows the scene's bytes
+/// (docs/format.md, "Inputs").
+class GlyphSet {
+public:
+    GlyphSet() = default;
+    /// Takes `bytes` as far as the set goes.
+    static GlyphSet take(ByteReader& bytes);
+
+    /// At most 255.
+    std::uint32_t count() const { return count_; }
+    /// Nothing if the character is not one of them.
+    std::optional<std::uint8_t> glyph(char32_t character) const;
+    /// `glyph` is less than count(), and the set is sound.
+    char32_t character(std::uint32_t glyph) const;
+    /// Whether it is what the format allows: characters rise with their numbers.
+    bool is_valid() const;
+
+private:
+    /// Characters that follow each other, as far as the next stretch.
+    struct Stretch {
+        std::uint32_t glyph; ///< of the first
+        char32_t character;  ///< the first
+    };
+
+    std::uint32_t stretches() const { return static_cast<std::uint32_t>(stretches_.size() / 4); }
+    Stretch stretch(std::uint32_t number) const;
+    /// The number of the glyph behind those of a stretch.
+    std::uint32_t end_of(std::uint32_t number) const;
+
+    std::uint32_t count_ = 0;
+    std::span<const std::byte> stretches_;
+};
 
 enum class InputType : std::uint8_t {
     number,  ///< that keys may go by
@@ -65,5 +99,34 @@ private:
 /// Puts into `places` where the inputs stand until others are set; there are as many of both. What is no
 /// number stands at 0.
 void put_default_places(InputCursor inputs, std::span<Time> places);
+
+/// On which side of its place a line of text lies.
+enum class Align : std::uint8_t { left, center, right };
+
+/// How the text of an input is laid out on one line; borrows the scene's bytes (docs/format.md, "Labels").
+/// Widths are in 1/4096 px.
+struct LabelView {
+    Align align = Align::left;
+    std::int32_t x = 0; ///< of the place on the baseline that `align` says, in 1/16 px
+    std::int32_t y = 0;
+    std::int32_t spacing = 0;         ///< added between glyphs
+    std::uint32_t glyph_count = 0;    ///< that of the input's glyphs
+    PackedValues drawings;            ///< of each glyph, offsets in the section of drawings
+    PackedValues advances;            ///< of each glyph, how far from its beginning the next one begins
+    std::span<const std::byte> pairs; ///< see pair_code()
+    PackedValues kerning;             ///< of each pair, what is added between them
+
+    bool is_whole = false; ///< the bytes ended neither before it nor behind it
+
+    /// `bytes` are those of one label.
+    static LabelView of(ByteReader bytes);
+
+    std::uint32_t pair_count() const { return static_cast<std::uint32_t>(pairs.size() / 2); }
+    /// The two glyphs of a pair as one number, by which pairs are ordered: 256 x the left one + the right
+    /// one.
+    std::uint32_t pair_code(std::uint32_t number) const;
+    /// What is added between two glyphs beside the spacing.
+    std::int32_t kerning_between(std::uint32_t left, std::uint32_t right) const;
+};
 
 }

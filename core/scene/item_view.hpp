@@ -2,12 +2,10 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/pixel/paint_style.hpp"
-#include "core/scene/backbone_view.hpp"
-#include "core/scene/key_time_cursor.hpp"
-#include "core/scene/packed_values.hpp"
-#include "core/scene/path_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/scene/track_view.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/scene/packed_drawing.hpp"
+#include "core/time/track.hpp"
 #include "core/time/time.hpp"
 
 #include <cstdint>

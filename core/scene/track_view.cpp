@@ -1,6 +1,97 @@
 #include "core/scene/track_view.hpp"
 
+#include "core/scene/kfb_limits.hpp"
+
+#include <algorithm>
+
 namespace kfast {
+
+Time read_time_code(ByteReader& bytes)
+{
+    constexpr std::uint32_t beyond = kfb::max_time + 1;
+    const std::uint32_t code = bytes.varint();
+    const std::uint32_t number = std::min(code / 2, beyond);
+    const bool in_ticks = code % 2 != 0;
+    constexpr std::uint32_t frame = Time::ticks_per_frame;
+    const std::uint32_t ticks = in_ticks ? number : std::min(number, beyond / frame + 1) * frame;
+    return {static_cast<std::int32_t>(std::min(ticks, beyond))};
+}
+
+namespace {
+
+constexpr int max_law_bits = 8;
+constexpr std::uint32_t input_bit = 1 << 15;
+
+/// So that a sum does not overflow before its times are refused.
+constexpr int max_time_bits = 30;
+static_assert(kfb::max_time < 1 << max_time_bits);
+
+Driver take_input(ByteReader& bytes)
+{
+    const Driver driver{static_cast<std::uint8_t>(bytes.u8())};
+    if (driver.is_time())
+        bytes.refuse();
+    return driver;
+}
+
+}
+
+KeyTimeCursor KeyTimeCursor::one()
+{
+    KeyTimeCursor key_times;
+    key_times.count_ = 1;
+    return key_times;
+}
+
+KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& default_key_times)
+{
+    const std::byte* const place = bytes.rest().data();
+    const std::uint32_t count = bytes.varint();
+    if (count == 0)
+        return default_key_times;
+    const std::uint32_t form = bytes.u16();
+    KeyTimeCursor key_times;
+    key_times.place_ = place;
+    key_times.count_ = count;
+    key_times.time_bits_ = form & 31;
+    key_times.time_shift_ = form >> 5 & 15;
+    key_times.law_bits_ = form >> 9 & 63;
+    if (key_times.law_bits_ > max_law_bits || key_times.time_bits_ + key_times.time_shift_ > max_time_bits) {
+        bytes.refuse();
+        key_times.law_bits_ = key_times.time_bits_ = key_times.time_shift_ =
+            0; // whoever reads on all the same
+    }
+    if ((form & input_bit) != 0)
+        key_times.driver_ = take_input(bytes);
+    key_times.bits_ =
+        BitReader::take(bytes, count, std::uint32_t{key_times.time_bits_} + key_times.law_bits_);
+    return key_times;
+}
+
+void KeyTimeCursor::go_on_behind(const KeyTime& last)
+{
+    index_ = last.index + 1;
+    time_ = last.time;
+    bits_.go_to(index_ * (std::uint32_t{time_bits_} + law_bits_));
+}
+
+KeyTime KeyTimeCursor::next()
+{
+    const std::uint32_t bits = std::uint32_t{time_bits_} + law_bits_;
+    std::uint32_t passed = 0;
+    std::uint32_t laws = 0;
+    if (bits <= BitReader::max) {
+        const std::uint32_t both = bits_.number(bits);
+        passed = both >> law_bits_;
+        laws = both & ((1U << law_bits_) - 1);
+    } else {
+        passed = bits_.number(time_bits_);
+        laws = bits_.number(law_bits_);
+    }
+    time_ = time_ + Time{static_cast<std::int32_t>(passed << time_shift_)};
+    return {.time = time_, .laws = laws, .index = index_++};
+}
+
 namespace {
 
 constexpr std::uint32_t property_bits = 0x3F;
@@ -29,6 +120,68 @@ TrackView TrackCursor::next()
         track.keys = {key_times_, PackedValues::take(bytes_, key_times_.count()), track.is_smooth};
     }
     return track;
+}
+
+namespace {
+
+constexpr int share_bits = 24;
+constexpr int sub_bits = 8; ///< lengths are followed in 1/256 of 1/16 px
+
+std::uint32_t total(ByteReader lengths)
+{
+    std::uint32_t sum = 0;
+    while (lengths.left() != 0)
+        sum += lengths.varint();
+    return sum;
+}
+
+/// The direction that the curve has at a share of its parameter: that of the last line in de Casteljau's
+/// construction; where it has no extent, at the ends, that of the next control points.
+Point tangent(const Segment& segment, Fraction fraction)
+{
+    if (segment.kind == Segment::Kind::line)
+        return segment.to - segment.from;
+    const Point middle = lerp(segment.c1, segment.c2, fraction);
+    const Point line = lerp(middle, lerp(segment.c2, segment.to, fraction), fraction) -
+                       lerp(lerp(segment.from, segment.c1, fraction), middle, fraction);
+    if (line != Point{})
+        return line;
+    const Point near_end =
+        fraction.raw < Fraction::one / 2 ? segment.c2 - segment.from : segment.to - segment.c1;
+    return near_end != Point{} ? near_end : segment.to - segment.from;
+}
+
+}
+
+PathView PathView::take(ByteReader& bytes)
+{
+    ByteReader own = bytes.take(bytes.varint());
+    const std::uint32_t head = own.u8();
+    PathView path;
+    path.turns = head != 0;
+    path.is_known = head <= 1;
+    path.drawing = own.varint();
+    path.lengths = own;
+    return path;
+}
+
+PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t fraction)
+{
+    const std::int32_t within = std::clamp<std::int32_t>(fraction, 0, 1 << share_bits);
+    auto left = static_cast<std::uint32_t>(
+        (std::uint64_t{total(path.lengths)} * static_cast<std::uint32_t>(within)) >> (share_bits - sub_bits));
+    ByteReader lengths = path.lengths;
+    std::uint32_t segments = stroke.next_stroke();
+    Segment segment = stroke.next_segment();
+    std::uint32_t length = lengths.varint() << sub_bits;
+    while (left > length && --segments != 0) {
+        left -= length;
+        segment = stroke.next_segment();
+        length = lengths.varint() << sub_bits;
+    }
+    const Fraction part = Fraction::ratio(std::min(left, length), length);
+    const Point line = tangent(segment, part);
+    return {point_at(segment, part), direction(line.x.raw(), line.y.raw())};
 }
 
 }

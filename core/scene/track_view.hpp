@@ -1,14 +1,72 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
-#include "core/scene/key_time_cursor.hpp"
-#include "core/scene/packed_values.hpp"
+#include "core/math/angle.hpp"
+#include "core/math/point.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "core/scene/property.hpp"
 #include "core/time/time.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace kfast {
+
+/// Reads a time code of the scene format: twice the frames, or twice the ticks and one. A time beyond the
+/// format's limit stays just beyond it, so that sums do not overflow before they are refused.
+Time read_time_code(ByteReader& bytes);
+
+/// Frames in 1000 seconds as the scene format has them: twice the frames in a second, or twice those in 1000
+/// seconds and one. A rate beyond the format's limit stays beyond it.
+constexpr std::uint32_t rate_of(std::uint32_t code)
+{
+    const std::uint32_t number = std::min(code / 2, kfb::max_frame_rate + 1);
+    return code % 2 != 0 ? number : number * 1000;
+}
+
+/// A moment at which something has a key, on the clock that it goes by, and what governs the way from it to
+/// the next.
+struct KeyTime {
+    Time time;
+    std::uint32_t laws = 0;  ///< number of the pair of laws
+    std::uint32_t index = 0; ///< how many come before
+};
+
+/// Reads key times in the order of their times (docs/format.md, "Key times").
+class KeyTimeCursor {
+public:
+    /// No key times.
+    KeyTimeCursor() = default;
+    /// A single key time, at 0.
+    static KeyTimeCursor one();
+    /// Takes `bytes` as far as the key times go; `default_key_times` if they say so. What breaks off or has a
+    /// form without a meaning is past the end of `bytes`.
+    static KeyTimeCursor take(ByteReader& bytes, const KeyTimeCursor& default_key_times);
+
+    bool at_end() const { return index_ == count_; }
+    /// Only when not at the end, and when no time before was beyond the format's limit.
+    KeyTime next();
+    /// As if `last` had just been read.
+    void go_on_behind(const KeyTime& last);
+    /// Where take() has found them; null of one().
+    const std::byte* place() const { return place_; }
+    /// Of all of them.
+    std::uint32_t count() const { return count_; }
+    /// What their times count.
+    Driver driver() const { return driver_; }
+
+private:
+    const std::byte* place_ = nullptr;
+    BitReader bits_;
+    std::uint32_t count_ = 0;
+    std::uint32_t index_ = 0;
+    Time time_;
+    std::uint8_t time_bits_ = 0;
+    std::uint8_t time_shift_ = 0;
+    std::uint8_t law_bits_ = 0;
+    Driver driver_;
+};
 
 /// One key of a track, and the way from it to the next.
 struct TrackKey {
@@ -68,5 +126,25 @@ private:
     std::uint32_t left_ = 0;
     KeyTimeCursor key_times_; ///< of the track before
 };
+
+/// What the pivot of an item follows; borrows the scene's bytes.
+struct PathView {
+    bool turns = false;        ///< the item turns as the path does
+    bool is_known = false;     ///< no bit is set without a meaning
+    std::uint32_t drawing = 0; ///< offset in the section of drawings: a single stroke
+    ByteReader lengths;        ///< of its segments, varints in 1/16 px
+
+    static PathView take(ByteReader& bytes);
+};
+
+/// A point on a path, and where the path leads there.
+struct PathPlace {
+    Point at;
+    BinaryAngle direction;
+};
+
+/// At a share of the length in 1/2^24; below 0 and above 1 at the ends. The share within a segment is rounded
+/// to 1/65536 (of one as long as 1/16 px is stored, to 1/256), the point to 3/65536 px.
+PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t fraction);
 
 }

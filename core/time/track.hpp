@@ -1,16 +1,135 @@
 #pragma once
 
-#include "core/time/hermite.hpp"
+#include "core/bytes/op_counter.hpp"
+#include "core/math/fixed.hpp"
 #include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace kfast {
 
+/// Reads keys, of which there is at least one, in the order of their times.
+template <class C>
+concept KeyReader = std::copyable<C> && requires(C cursor, const C& before)
+{
+    {
+        before.at_end()
+        } -> std::same_as<bool>;
+    {
+        cursor.next().time
+        } -> std::convertible_to<Time>;
+};
+
+/// The two keys around a moment; the same key twice before the first and from the last one on.
+template <class Key>
+struct KeyInterval {
+    Key from;
+    Key to;
+};
+
+template <KeyReader Cursor>
+auto interval_at(Cursor keys, Time time)
+{
+    auto from = keys.next();
+    while (!keys.at_end() && from.time <= time) {
+        const auto to = keys.next();
+        if (to.time > time)
+            return KeyInterval<decltype(from)>{from, to};
+        from = to;
+    }
+    return KeyInterval<decltype(from)>{from, from};
+}
+
+/// The share of the way between two keys, apart for x and y.
+struct ProgressXY {
+    Progress x;
+    Progress y;
+
+    constexpr bool is_at_beginning() const { return x == Progress{} && y == Progress{}; }
+    friend constexpr bool operator==(const ProgressXY&, const ProgressXY&) = default;
+};
+
+/// How far the way that leads from the time `from` to the time `to` has come at `time`; nothing of it on and
+/// before `from`, nor if there is no way.
+ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
+
+/// Values of tracks are computed in 1/256 of their unit.
+inline constexpr int fine_bits = 8;
+
+/// A value at a moment; |value| is at most 2^20.
+struct KeySample {
+    Time time;
+    std::int32_t value = 0;
+};
+
+/// The keys around a moment: it lies at `from` or between `from` and `to`. The one before is `from` again if
+/// there is none, and the one after `to`. All are the same before the first key and from the last one on.
+struct HermiteSpan {
+    KeySample before;
+    KeySample from;
+    KeySample to;
+    KeySample after;
+};
+
+/// The value at `time` on the cubic Hermite curve from span.from to span.to, in 1/256 of the unit of the
+/// values. The slope at a key is (after - before) / (time of after - time of before), and 0 at the first and
+/// at the last key. Exact on a key, else within range / 40000 + 2 / 256 units of the exact value, where range
+/// is the largest difference of the four values.
+///
+/// The curve leaves the range of the values by at most 8/27 of it: no slope times the time of the way is more
+/// than the range.
+std::int32_t hermite(const HermiteSpan& span, Time time);
+
+/// A reader of anything that has a `time` and a `value` (KeyReader).
+template <KeyReader Cursor>
+HermiteSpan hermite_span_at(Cursor keys, Time time)
+{
+    const auto next = [&keys] {
+        const auto key = keys.next();
+        return KeySample{key.time, key.value};
+    };
+    KeySample before = next();
+    KeySample from = before;
+    while (!keys.at_end() && from.time <= time) {
+        const KeySample to = next();
+        if (to.time > time)
+            return {before, from, to, keys.at_end() ? to : next()};
+        before = from;
+        from = to;
+    }
+    return {from, from, from, from};
+}
+
+/// Two values of keys, and how far the way from one to the other has come.
+struct KeySpan {
+    std::int32_t from;
+    std::int32_t to;
+    Progress progress;
+};
+
+/// Which of the two laws of a key governs.
+enum class LawAxis : std::uint8_t { x, y };
+
+/// Of a quantity in 1/16 px, in 1/256 of it.
+constexpr Fixed fine_pixels(std::int32_t fine)
+{
+    return Fixed::from_raw(fine * (Fixed::one >> (4 + fine_bits)));
+}
+
+/// Rounded to nearest, halves up, in 1/256 of the unit of the values.
+constexpr std::int32_t fine_value(const KeySpan& key_span)
+{
+    return key_span.from * (1 << fine_bits) +
+           multiply(key_span.to - key_span.from, key_span.progress.raw, 16 - fine_bits);
+}
+
 /// One number over time, from key times that a program adds: a smooth curve through all of them, held before
-/// the first and behind the last (core/time/hermite.hpp). Keeps them in an array of the caller's, which must
+/// the first and behind the last (core/time/track.hpp). Keeps them in an array of the caller's, which must
 /// outlive it.
 ///
 ///     std::array<KeySample, 8> keys;

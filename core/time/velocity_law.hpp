@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/byte_reader.hpp"
 #include "core/math/fixed.hpp"
 
 #include <algorithm>
@@ -104,5 +105,16 @@ constexpr ProgressRange progress_range(const VelocityLaw& law)
         std::max<std::int32_t>({0, law.y1 - VelocityLaw::control_one, law.y2 - VelocityLaw::control_one});
     return {{-below * three_quarters}, {Progress::one + above * three_quarters}};
 }
+
+/// The laws that govern the way from one key to the next: that of x, which also governs what has no axis, and
+/// that of y.
+struct LawPair {
+    VelocityLaw x = {};
+    VelocityLaw y = {};
+    friend constexpr bool operator==(const LawPair&, const LawPair&) = default;
+};
+
+/// Reads a pair as the scene format stores it.
+LawPair read_law_pair(ByteReader& bytes);
 
 }

@@ -2,7 +2,6 @@
 
 #include "core/bytes/result.hpp"
 #include "core/playhead.hpp"
-#include "core/scene/mark_view.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 #include "firmware/chip/microseconds.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/beam/beam_point.hpp"
 #include "core/beam/beam_profile.hpp"
 #include "host/beam/beam_display.hpp"
 #include "host/beam/light_sheet.hpp"

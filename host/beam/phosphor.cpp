@@ -1,6 +1,6 @@
 #include "host/beam/phosphor.hpp"
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/compiler/drifting_arcs.hpp"
 
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 #include "host/compiler/carry/backbone_cell.hpp"
 #include "host/compiler/match/match_by_count.hpp"
 #include "host/compiler/match/match_by_length.hpp"

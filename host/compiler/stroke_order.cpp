@@ -1,6 +1,6 @@
 #include "host/compiler/stroke_order.hpp"
 
-#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
 #include "host/compiler/carry/deformer.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 #include "host/fit/fit_stop.hpp"

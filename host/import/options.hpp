@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/point.hpp"
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/art/prepare/tolerance.hpp"
 #include "host/program/progress_callback.hpp"
 #include "host/svg/poses/key_options.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/view_projection.hpp"
+#include "core/math/projection.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 #include "core/math/projection.hpp"
 #include "core/pose/input_drawing.hpp"
-#include "core/pose/label_trace.hpp"
+#include "core/pose/label_layout.hpp"
 #include "host/picture/svg_colour.hpp"
 #include "host/picture/svg_number.hpp"
 #include "host/picture/svg_path.hpp"

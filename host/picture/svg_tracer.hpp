@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/object_strokes.hpp"
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene_walk.hpp"
 
 #include <string>

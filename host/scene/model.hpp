@@ -1,13 +1,11 @@
 #pragma once
 
 #include "core/math/point.hpp"
-#include "core/pixel/colour.hpp"
 #include "core/pixel/paint_style.hpp"
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/scene/input_view.hpp"
-#include "core/scene/label_view.hpp"
 #include "core/scene/property.hpp"
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 #include "core/time/time.hpp"
 #include "host/geometry/drawing.hpp"
 #include "host/geometry/outline.hpp"
@@ -62,7 +60,7 @@ struct TrackKey {
 struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
-    bool is_smooth = false; ///< by cubic Hermite curves (core/time/hermite.hpp) instead of laws
+    bool is_smooth = false; ///< by cubic Hermite curves (core/time/track.hpp) instead of laws
     Driver driver = {};     ///< of its keys
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
 
 #include <cstdint>
 

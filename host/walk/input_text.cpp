@@ -1,6 +1,6 @@
 #include "host/walk/input_text.hpp"
 
-#include "core/scene/label_view.hpp"
+#include "core/scene/input_view.hpp"
 #include "host/text/utf8.hpp"
 #include "host/walk/every_item.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/mark_view.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/posed_bones.hpp"
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/prepared/prepared_scene.hpp"
 
 #include <cstdint>

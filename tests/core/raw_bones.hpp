@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "tests/core/raw_scene.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/raster/outline/object_outline.hpp"
 
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 
 namespace kfast {
 

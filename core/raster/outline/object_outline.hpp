@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/features.hpp"
-#include "core/math/view_projection.hpp"
+#include "core/math/projection.hpp"
 #include "core/raster/outline/grid.hpp"
 #include "core/raster/outline/outline_store.hpp"
 #include "core/raster/outline/stroke_outline.hpp"

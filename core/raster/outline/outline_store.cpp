@@ -1,8 +1,8 @@
 #include "core/raster/outline/outline_store.hpp"
 
 #include "core/bytes/op_counter.hpp"
-#include "core/raster/outline/chain_builder.hpp"
-#include "core/raster/outline/far_contour.hpp"
+#include "core/raster/outline/chain.hpp"
+#include "core/raster/outline/simplify.hpp"
 #include "core/raster/outline/grid.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/grid.hpp"
 #include "core/time/time.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/direction.hpp"
+#include "core/math/angle.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/outline_store.hpp"
 

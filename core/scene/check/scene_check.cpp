@@ -1,6 +1,6 @@
 #include "core/scene/check/scene_check.hpp"
 
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 /// A scene as a whole.

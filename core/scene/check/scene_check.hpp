@@ -5,7 +5,6 @@
 #include "core/scene/check/picture_cost.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "core/scene/label_view.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
@@ -68,7 +67,7 @@ public:
     /// Where, as SceneView::parse() tells it.
     std::uint32_t item() const { return item_; }
 
-    // Called for features (core/feature_code.hpp).
+    // Called for features (core/features.hpp).
 
     /// Of a key whose drawing has been checked, and whose skeleton has so many bones.
     bool check_skin(const Key& key, std::uint32_t bones);

@@ -1,8 +1,110 @@
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/scene/check/scene_check.hpp"
+#include "core/scene/kfb_limits.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace kfast {
+
+namespace {
+
+bool is_value(std::int32_t value) { return value >= -kfb::max_input_value && value <= kfb::max_input_value; }
+
+bool is_valid_number(const InputView& input)
+{
+    return is_value(input.min) && is_value(input.max) && input.max > input.min &&
+           input.default_value >= input.min && input.default_value <= input.max;
+}
+
+bool is_valid(const TextInput& text)
+{
+    const auto is_glyph = [&text](std::byte glyph) {
+        return std::to_integer<std::uint32_t>(glyph) < text.glyphs.count();
+    };
+    return text.max >= 1 && text.max <= kfb::max_text && text.glyphs.is_valid() &&
+           text.default_value.size() <= text.max && std::ranges::all_of(text.default_value, is_glyph);
+}
+
+bool is_valid(const InputView& input)
+{
+    switch (input.type) {
+    case InputType::number:
+        return is_valid_number(input);
+    case InputType::drawing:
+        return input.drawing.strokes >= 1 && input.drawing.strokes <= input.drawing.points &&
+               input.drawing.points <= kfb::max_live_points;
+    case InputType::text:
+        return is_valid(input.text);
+    }
+    return false;
+}
+
+}
+
+bool are_inputs_valid(const SceneView& scene)
+{
+    InputCursor inputs = scene.inputs();
+    while (!inputs.at_end()) {
+        const InputView input = inputs.next();
+        if (inputs.rest().overrun() || input.name.empty() || !is_valid(input))
+            return false;
+    }
+    return scene.input_count() <= kfb::max_inputs && inputs.rest().left() == 0;
+}
+
+namespace {
+
+bool is_coordinate(std::int32_t sixteenths)
+{
+    return sixteenths >= std::numeric_limits<std::int16_t>::min() &&
+           sixteenths <= std::numeric_limits<std::int16_t>::max();
+}
+
+bool is_width(std::int32_t width) { return width >= -kfb::max_text_width && width <= kfb::max_text_width; }
+
+/// The largest of `count` values in either direction; beyond kfb::max_text_width it stays beyond it.
+std::int32_t largest(const PackedValues& values, std::uint32_t count)
+{
+    std::int32_t max = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!is_width(values[i]))
+            return kfb::max_text_width + 1;
+        max = std::max(max, values[i] < 0 ? -values[i] : values[i]);
+    }
+    return max;
+}
+
+bool are_pairs_valid(const LabelView& label)
+{
+    for (std::uint32_t i = 0; i < label.pair_count(); ++i) {
+        const std::uint32_t code = label.pair_code(i);
+        if (code >> 8 >= label.glyph_count || (code & 0xFF) >= label.glyph_count ||
+            (i != 0 && code <= label.pair_code(i - 1)))
+            return false;
+    }
+    return true;
+}
+
+bool fits(const LabelView& label, const TextInput& text)
+{
+    if (!is_width(label.spacing))
+        return false;
+    const std::int32_t spacing = label.spacing < 0 ? -label.spacing : label.spacing;
+    const std::int32_t step =
+        largest(label.advances, label.glyph_count) + largest(label.kerning, label.pair_count()) + spacing;
+    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / text.max;
+}
+
+}
+
+bool is_label_valid(const LabelView& label, const TextInput& text)
+{
+    return label.is_whole && label.glyph_count == text.glyphs.count() && label.align <= Align::right &&
+           is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) && fits(label, text);
+}
 
 /// What of a scene comes from outside.
-namespace kfast {
 
 bool SceneCheck::check_inputs()
 {

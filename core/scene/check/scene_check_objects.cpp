@@ -1,4 +1,4 @@
-#include "core/feature_code.hpp"
+#include "core/features.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/kfb_limits.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/glyph_set.hpp"
 #include "core/scene/input_view.hpp"
 #include "host/link/live_values.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/compiler/carry/backbone_timeline.hpp"
 
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
 
 #include <algorithm>

@@ -114,7 +114,7 @@ std::uint64_t paint_steps_of(const scene::Scene& scene, const scene::Item& item)
            (may_be_transparent(item) && has_several_layers(scene, item) ? 2 : 0);
 }
 
-/// Tracks of which a player has a record (core/prepared/node.hpp), or one more.
+/// Tracks of which a player has a record (core/prepared/prepared_scene.hpp), or one more.
 std::uint64_t tracks_of(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);

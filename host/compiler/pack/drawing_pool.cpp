@@ -1,6 +1,6 @@
 #include "host/compiler/pack/drawing_pool.hpp"
 
-#include "core/scene/stroke_form.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
 #include "host/compiler/pack/pack_form.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
 #include "host/text/source.hpp"
 

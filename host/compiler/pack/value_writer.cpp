@@ -1,6 +1,6 @@
 #include "host/compiler/pack/value_writer.hpp"
 
-#include "core/scene/packed_values.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "host/compiler/pack/bit_writer.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "host/compiler/write/bone_writer.hpp"
 
 #include "core/math/angle.hpp"
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 #include "host/compiler/write/track_writer.hpp"

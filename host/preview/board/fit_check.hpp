@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 #include "host/preview/board/fit_lines.hpp"
 
 #include <cstddef>

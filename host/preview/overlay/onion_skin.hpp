@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "core/time/time.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/picture.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/math/space.hpp"
+#include "core/math/projection.hpp"
 #include "core/pose/scene_state.hpp"
-#include "core/prepared/node.hpp"
+#include "core/prepared/prepared_scene.hpp"
 #include "core/scene/item_view.hpp"
 #include "host/player/word_block.hpp"
 #include "host/walk/stored_items.hpp"

@@ -1,12 +1,11 @@
 #include "host/preview/overlay/seen_strokes.hpp"
 
 #include "core/math/flatten.hpp"
-#include "core/math/view_projection.hpp"
+#include "core/math/projection.hpp"
 #include "core/pose/input_drawing.hpp"
-#include "core/pose/label_trace.hpp"
+#include "core/pose/label_layout.hpp"
 #include "core/pose/object_strokes.hpp"
 #include "core/pose/posed_strokes.hpp"
-#include "core/pose/posed_wires.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 #include "core/math/point.hpp"
 #include "core/scene/scene_view.hpp"
 #include "host/fit/target.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/preview/overlay/overlay.hpp"
 
 /// The colours of the preview's window.

@@ -1,7 +1,7 @@
 #include "host/preview/playback/item_facts.hpp"
 
 #include "core/pose/item_state.hpp"
-#include "core/time/hermite.hpp"
+#include "core/time/track.hpp"
 #include "host/preview/playback/key_times.hpp"
 #include "host/text/glyph.hpp"
 #include "host/text/rounded_text.hpp"

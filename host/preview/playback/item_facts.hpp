@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene/item_view.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"

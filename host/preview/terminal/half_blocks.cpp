@@ -1,6 +1,6 @@
 #include "host/preview/terminal/half_blocks.hpp"
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/preview/painter/placement.hpp"
 #include "host/preview/painter/scaled_picture.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 #include "host/compile/scene_file.hpp"
 #include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"

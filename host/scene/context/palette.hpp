@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/text/source.hpp"
 
 #include <cstddef>

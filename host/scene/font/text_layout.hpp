@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/label_view.hpp"
+#include "core/scene/input_view.hpp"
 #include "host/geometry/outline.hpp"
 #include "host/scene/font/font.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/scene/skeleton/bone_frames.hpp"
 
 #include "core/math/angle.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 #include "host/geometry/unit_circle.hpp"
 
 #include <algorithm>

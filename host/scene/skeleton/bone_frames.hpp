@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/time/time.hpp"
 #include "host/geometry/outline.hpp"
 #include "host/scene/model.hpp"

@@ -1,6 +1,6 @@
 #include "host/scene/skeleton/reach_reader.hpp"
 
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 #include "host/scene/skeleton/bone_name_reader.hpp"

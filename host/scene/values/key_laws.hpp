@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/values/law_reader.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
 #include "host/kdl/document.hpp"

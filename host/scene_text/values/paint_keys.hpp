@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 #include "host/art/document/document.hpp"
 #include "host/scene_text/values/colours.hpp"
 #include "host/scene_text/values/stored_keys.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/beam/beam_timing.hpp"
 #include "core/beam/point_stream.hpp"
 #include "tests/core/beam/line_store.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/beam/beam_lines.hpp"
-#include "core/beam/beam_point.hpp"
+#include "core/beam/beam_profile.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "core/math/canvas_map.hpp"
+#include "core/math/affine.hpp"
 
 #include "core/player.hpp"
 #include "core/scene/kfb_limits.hpp"

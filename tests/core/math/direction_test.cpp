@@ -1,4 +1,4 @@
-#include "core/math/direction.hpp"
+#include "core/math/angle.hpp"
 
 #include "tests/core/spot.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/math/point_map.hpp"
+#include "core/math/affine.hpp"
 
 #include "tests/core/array_drawing.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/math/segment.hpp"
+#include "core/math/flatten.hpp"
 
 #include "tests/core/array_drawing.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/math/space.hpp"
+#include "core/math/projection.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "core/pixel/colour.hpp"
+#include "core/pixel/paint_style.hpp"
 
 #include <array>
 #include <cmath>

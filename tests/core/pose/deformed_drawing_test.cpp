@@ -1,4 +1,4 @@
-#include "core/pose/deformed_drawing.hpp"
+#include "core/pose/posed_bones.hpp"
 
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/moved_scene.hpp"

@@ -1,7 +1,7 @@
-#include "core/pose/posed_wires.hpp"
+#include "core/pose/posed_strokes.hpp"
 
 #include "core/pose/object_strokes.hpp"
-#include "core/pose/scene_on_panel.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/scene_walk.hpp"
 #include "tests/core/beam/beam_player_fixture.hpp"
 #include "tests/core/math/exact_space.hpp"

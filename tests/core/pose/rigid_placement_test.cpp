@@ -1,4 +1,4 @@
-#include "core/pose/rigid_placement.hpp"
+#include "core/pose/item_state.hpp"
 
 #include <algorithm>
 #include <cmath>

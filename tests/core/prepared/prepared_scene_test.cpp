@@ -1,6 +1,6 @@
 #include "core/prepared/prepared_scene.hpp"
 
-#include "core/time/hermite.hpp"
+#include "core/time/track.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/player_fixture.hpp"
 #include "tests/core/raw_bones.hpp"

@@ -1,4 +1,4 @@
-#include "core/scene/backbone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 
 #include "tests/core/raw_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 
 #include "tests/core/raw_bones.hpp"
 

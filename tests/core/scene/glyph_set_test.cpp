@@ -1,4 +1,4 @@
-#include "core/scene/glyph_set.hpp"
+#include "core/scene/input_view.hpp"
 
 #include "core/bytes/code_point.hpp"
 #include "tests/core/raw_scene.hpp"

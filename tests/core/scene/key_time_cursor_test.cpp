@@ -1,4 +1,4 @@
-#include "core/scene/key_time_cursor.hpp"
+#include "core/scene/track_view.hpp"
 
 #include "core/scene/kfb_limits.hpp"
 #include "tests/core/raw_scene.hpp"

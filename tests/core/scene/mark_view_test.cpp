@@ -1,4 +1,4 @@
-#include "core/scene/mark_view.hpp"
+#include "core/scene/scene_view.hpp"
 
 #include "core/scene/kfb_limits.hpp"
 #include "tests/bytes.hpp"

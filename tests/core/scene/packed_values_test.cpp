@@ -1,4 +1,4 @@
-#include "core/scene/packed_values.hpp"
+#include "core/scene/packed_drawing.hpp"
 
 #include "tests/core/raw_scene.hpp"
 

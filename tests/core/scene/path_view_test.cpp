@@ -1,4 +1,4 @@
-#include "core/scene/path_view.hpp"
+#include "core/scene/track_view.hpp"
 
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raw_drawing.hpp"

@@ -1,4 +1,4 @@
-#include "core/scene/skin_reader.hpp"
+#include "core/scene/skeleton_view.hpp"
 
 #include "tests/core/raw_skin.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/scene/time_code.hpp"
+#include "core/scene/track_view.hpp"
 
 #include "core/scene/kfb_limits.hpp"
 #include "tests/bytes.hpp"

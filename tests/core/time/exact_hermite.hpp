@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time/hermite.hpp"
+#include "core/time/track.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/time/hermite.hpp"
+#include "core/time/track.hpp"
 
 #include "tests/core/time/exact_hermite.hpp"
 

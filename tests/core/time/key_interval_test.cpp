@@ -1,4 +1,4 @@
-#include "core/time/key_interval.hpp"
+#include "core/time/track.hpp"
 
 #include <doctest/doctest.h>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 
 #include "tests/bytes.hpp"
 

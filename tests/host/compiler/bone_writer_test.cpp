@@ -1,6 +1,6 @@
 #include "host/compiler/write/bone_writer.hpp"
 
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "tests/bytes.hpp"
 
 #include <doctest/doctest.h>

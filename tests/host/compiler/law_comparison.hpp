@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene_view.hpp"
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 
 #include <cstdint>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "tests/host/compiler/object_comparison.hpp"
 
-#include "core/scene/label_view.hpp"
+#include "core/scene/input_view.hpp"
 #include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/carry/deformer.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/segment.hpp"
+#include "core/math/flatten.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 

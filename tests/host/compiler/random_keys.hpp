@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time/law_pair.hpp"
+#include "core/time/velocity_law.hpp"
 #include "core/time/time.hpp"
 #include "tests/host/compiler/dice.hpp"
 

@@ -1,5 +1,5 @@
-#include "core/pose/deformed_drawing.hpp"
-#include "core/time/key_interval.hpp"
+#include "core/pose/posed_bones.hpp"
+#include "core/time/track.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 #include "tests/core/moved_scene.hpp"
 #include "tests/core/player_fixture.hpp"

@@ -1,7 +1,7 @@
 #include "core/raster/outline/outline_store.hpp"
 
 #include "core/raster/band.hpp"
-#include "core/raster/outline/chain_builder.hpp"
+#include "core/raster/outline/chain.hpp"
 #include "tests/core/raster/band_chains.hpp"
 #include "tests/core/raster/outline/chain_lines.hpp"
 #include "tests/rounds.hpp"

@@ -1,4 +1,4 @@
-#include "core/raster/outline/chain_builder.hpp"
+#include "core/raster/outline/chain.hpp"
 #include "core/raster/outline/outline_store.hpp"
 #include "tests/core/raster/outline/chain_lines.hpp"
 #include "tests/rounds.hpp"

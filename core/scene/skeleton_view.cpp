@@ -1,6 +1,9 @@
-#include "core/scene/bone_view.hpp"
+#include "core/scene/skeleton_view.hpp"
+
+#include <limits>
 
 namespace kfast {
+
 namespace {
 
 constexpr std::uint32_t moved_bits = (1 << bone_quantity_count) - 1;
@@ -59,6 +62,59 @@ BoneView BoneCursor::next()
 SkeletonView::SkeletonView(ByteReader bytes)
     : count_{bytes.u8()}, common_{KeyTimeCursor::take(bytes, KeyTimeCursor{})}, bones_{bytes}
 {
+}
+
+BackboneKeyCursor::BackboneKeyCursor(ByteReader& bytes)
+    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())}, drawings_{PackedValues::take(
+                                                                        bytes, key_times_.count())}
+{
+}
+
+BackboneKey BackboneKeyCursor::next()
+{
+    const KeyTime key_time = key_times_.next();
+    return {.time = key_time.time,
+            .laws = key_time.laws,
+            .drawing = static_cast<std::uint32_t>(drawings_[key_time.index])};
+}
+
+std::size_t backbone_node_count(PackedDrawing drawing)
+{
+    std::size_t count = 0;
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        if (stroke % 3 == 0)
+            count += segments + 2;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            drawing.next_segment();
+    }
+    return count;
+}
+
+Binding::Binding(ByteReader& bytes, std::uint32_t count) : bytes_{bytes}, count_{count}
+{
+    bytes.skip(2 * (count - 1));
+    last_ = bytes.u8();
+}
+
+SkinReader SkinReader::of(std::uint32_t bone)
+{
+    SkinReader reader;
+    reader.binding_ = Binding{bone};
+    reader.left_ = std::numeric_limits<std::uint32_t>::max();
+    return reader;
+}
+
+const Binding& SkinReader::next()
+{
+    if (left_ != 0) {
+        --left_;
+        return binding_;
+    }
+    const std::uint32_t head = bytes_.varint();
+    left_ = head >> 2;
+    binding_ = Binding{bytes_, (head & 3) + 1};
+    return binding_;
 }
 
 }

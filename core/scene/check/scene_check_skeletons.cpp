@@ -1,8 +1,9 @@
 #include "core/scene/check/scene_check.hpp"
-
 #include "core/scene/kfb_limits.hpp"
+#include "core/scene/packed_drawing.hpp"
 
 namespace kfast {
+
 namespace {
 
 ValueRange range_of(BoneQuantity quantity)
@@ -111,6 +112,54 @@ bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& 
             return false;
     }
     return skeletons <= kfb::max_bones;
+}
+
+bool are_backbones(std::span<const std::byte> drawings, std::uint32_t offset)
+{
+    PackedDrawing drawing{drawings, offset};
+    std::uint32_t all = 0;
+    std::uint32_t nodes = 0;
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+        const std::uint32_t segments = drawing.next_stroke();
+        if (stroke % 3 == 0) {
+            nodes = segments;
+            all += segments;
+        }
+        if (segments == 0 || segments != nodes)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    }
+    return drawing.strokes() != 0 && drawing.strokes() % 3 == 0 &&
+           drawing.strokes() <= 3 * kfb::max_backbones && all <= kfb::max_backbone_segments;
+}
+
+bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other)
+{
+    PackedDrawing a{drawings, one};
+    PackedDrawing b{drawings, other};
+    if (a.strokes() != b.strokes())
+        return false;
+    for (std::uint32_t stroke = 0; stroke < a.strokes(); ++stroke) {
+        const std::uint32_t segments = a.next_stroke();
+        if (b.next_stroke() != segments)
+            return false;
+        for (std::uint32_t i = 0; i < segments; ++i)
+            if (a.next_segment().kind != b.next_segment().kind)
+                return false;
+    }
+    return true;
+}
+
+bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset)
+{
+    PackedDrawing drawing{drawings, offset};
+    for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke)
+        for (std::uint32_t left = drawing.next_stroke(); left > 0; --left)
+            if (drawing.next_segment().kind != Segment::Kind::line)
+                return false;
+    return true;
 }
 
 }

@@ -1,4 +1,4 @@
-#include "core/bytes/bit_reader.hpp"
+#include "core/bytes/byte_reader.hpp"
 
 namespace kfast {
 

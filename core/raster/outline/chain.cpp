@@ -1,4 +1,4 @@
-#include "core/raster/outline/chain_builder.hpp"
+#include "core/raster/outline/chain.hpp"
 
 #include "core/raster/outline/grid.hpp"
 
@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 namespace kfast::raster {
+
 namespace {
 
 /// How far a corner may lie from the line that replaces it, in the grid: horizontally, which is 1/26 of a
