@@ -89,11 +89,11 @@ function(kfast_flash_files NAME)
     set(IMAGE ${PROJECT_BINARY_DIR}/${NAME})
     kfast_native_program(uf2
         SOURCES
-            host/flash/uf2_main.cpp host/flash/uf2.cpp host/flash/uf2_block.cpp host/flash/uf2_contents.cpp
-            host/flash/flash_image.cpp host/file/atomic_file.cpp host/file/input_file.cpp
+            host/flash/uf2_main.cpp host/flash/uf2.cpp host/flash/uf2_contents.cpp host/flash/flash_image.cpp
+            host/file/atomic_file.cpp host/file/input_file.cpp
         HEADERS
-            host/flash/uf2.hpp host/flash/uf2_block.hpp host/flash/uf2_contents.hpp host/flash/flash_image.hpp
-            host/flash/flash_region.hpp host/flash/hex_text.hpp host/compiler/pack/byte_writer.hpp core/bytes/byte_reader.hpp)
+            host/flash/uf2.hpp host/flash/uf2_contents.hpp host/flash/flash_image.hpp host/compiler/pack/byte_writer.hpp
+            core/bytes/byte_reader.hpp)
     add_custom_command(
         OUTPUT ${IMAGE}.bin ${IMAGE}.uf2
         COMMAND ${CMAKE_OBJCOPY} -O binary ${IMAGE}.elf ${IMAGE}.bin

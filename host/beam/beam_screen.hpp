@@ -1,15 +1,30 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "host/beam/beam_display.hpp"
+#include "host/beam/beam_deflection.hpp"
 #include "host/beam/light_sheet.hpp"
-#include "host/picture/frame.hpp"
+#include "host/beam/phosphor.hpp"
+#include "host/picture/picture.hpp"
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
+
+/// What stands at the end of the beam and is no matter of the firmware: how the beam is moved, and how its
+/// light looks.
+struct BeamDisplay {
+    std::string_view name; ///< of the ready profile that is made for it
+    BeamDeflection deflection;
+    double spot;      ///< how wide it is where it has half its brightness, in percent of the field's width
+    double half_life; ///< milliseconds until half of the light is gone, for the phosphor and the eye together
+    Phosphor phosphor;
+};
+
+/// For a ready profile (profile_choices()).
+const BeamDisplay& display_of(std::string_view profile_name);
 
 /// A picture that the beam drew over and over: its points are repeated, beginning with the first, from
 /// `begin` until before `end`. Times are counted in points.

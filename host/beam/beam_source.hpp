@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/beam/beam_player.hpp"
-#include "host/picture/input_receiver.hpp"
+#include "core/beam/beam_profile.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstdint>
@@ -40,5 +41,10 @@ private:
     BeamPlayer player_;
     std::vector<BeamPoint> points_;
 };
+
+/// CRC-32 of the points of a picture, the same on every target for the same scene, time and profile. Of each
+/// point 8 bytes: x, then y, each with the low byte first; red, green, blue; 255 where the beam is lit, else
+/// 0, as then the colours are.
+std::uint32_t hash(std::span<const BeamPoint> points);
 
 }

@@ -1,6 +1,6 @@
 #include "host/beam/ilda_writer.hpp"
 
-#include "host/beam/ilda_palette.hpp"
+#include "host/beam/ilda_format.hpp"
 
 #include <cstdint>
 

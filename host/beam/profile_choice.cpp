@@ -1,10 +1,10 @@
 #include "host/beam/profile_choice.hpp"
 
-#include "host/beam/beam_reader.hpp"
+#include "host/beam/beam_text.hpp"
 #include "host/file/input_file.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/number_text.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 

@@ -1,19 +1,95 @@
+#include "host/commands/boards.hpp"
+
+#include "firmware/settings/controller_facts.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/options/report_options.hpp"
-#include "host/commands/panel_list.hpp"
+#include "host/commands/flash/settings_choice.hpp"
+#include "host/commands/options/output_options.hpp"
 #include "host/commands/text/json_text.hpp"
-#include "host/commands/text/size_text.hpp"
+#include "host/commands/text/quantity_text.hpp"
 #include "host/commands/text/table_lines.hpp"
+#include "host/config/setting_words.hpp"
 #include "host/fit/board_choice.hpp"
 #include "host/fit/board_reader.hpp"
 #include "host/fit/board_texts.hpp"
+#include "host/fit/display.hpp"
 #include "host/fit/wording.hpp"
-#include "host/picture/format_name.hpp"
+#include "host/picture/panel_choice.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace kfast {
+
+namespace {
+
+std::string buses_of(const ControllerFacts& facts)
+{
+    std::string buses;
+    for (const BusKind bus : {BusKind::spi, BusKind::parallel_8, BusKind::i2c})
+        if (facts.takes(bus))
+            buses.append(buses.empty() ? "" : ", ").append(config::word_of(bus));
+    return buses;
+}
+
+/// What the driver of this name reports; fit knows displays that have none.
+ListedPanel panel_called(std::string_view name)
+{
+    const auto choices = panel_choices();
+    const auto choice = std::ranges::find(choices, name, &PanelChoice::name);
+    if (choice != choices.end()) {
+        const ControllerFacts& facts = facts_of(choice->settings.controller);
+        return {.name = std::string{name},
+                .size = choice->settings.size(),
+                .format = facts.format,
+                .bus = buses_of(facts),
+                .is_drawn = true};
+    }
+    const fit::Display& display = *fit::display_named(name);
+    return {.name = std::string{name}, .size = display.size, .format = display.format, .bus = "spi"};
+}
+
+/// "ili9341-parallel" is no controller.
+ListedPanel panel_of_settings(const std::string& name)
+{
+    const BoardSettings settings = ready_settings(name);
+    return {.name = name,
+            .size = settings.panel.size(),
+            .format = facts_of(settings.panel.controller).format,
+            .bus = config::word_of(settings.bus),
+            .is_flashed = true};
+}
+
+}
+
+std::string colours_text(PixelFormat format)
+{
+    const int bits = bits_per_pixel(format);
+    if (bits == 1)
+        return "black and white";
+    const std::string count = std::to_string(1 << bits);
+    return count + (format == PixelFormat::grey4 ? " greys" : " colours");
+}
+
+std::vector<ListedPanel> listed_panels()
+{
+    std::vector<ListedPanel> panels;
+    for (const std::string_view name : fit::display_names()) {
+        panels.push_back(panel_called(name));
+        panels.back().is_fitted = true;
+    }
+    for (const std::string_view name : ready_panels()) {
+        const auto same = std::ranges::find(panels, name, &ListedPanel::name);
+        if (same == panels.end())
+            panels.push_back(panel_of_settings(std::string{name}));
+        else
+            same->is_flashed = true;
+    }
+    std::ranges::sort(panels, {}, &ListedPanel::name);
+    return panels;
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -85,5 +161,54 @@ void declare_boards(CLI::App& app)
 const Command boards_command{
     "boards",   "List the boards that 'kfast fit --board' knows", "kfast boards", declare_boards, {},
     board_group};
+
+namespace {
+
+std::string known_to(const ListedPanel& panel)
+{
+    std::string commands;
+    for (const auto& [is_known, name] :
+         {std::pair{panel.is_drawn, "render, preview, panel"}, std::pair{panel.is_fitted, "fit"},
+          std::pair{panel.is_flashed, "flash"}})
+        if (is_known)
+            commands.append(commands.empty() ? "" : ", ").append(name);
+    return commands;
+}
+
+Json json_of(const ListedPanel& panel)
+{
+    return {{"name", panel.name},
+            {"width", panel.size.width},
+            {"height", panel.size.height},
+            {"format", name_of(panel.format)},
+            {"bus", panel.bus},
+            {"draw", panel.is_drawn},
+            {"fit", panel.is_fitted},
+            {"flash", panel.is_flashed}};
+}
+
+void print_panels(bool is_json)
+{
+    std::vector<TableRow> rows{{"PANEL", "SIZE", "COLOURS", "BUS", "FOR --panel OF"}};
+    Json json = Json::array();
+    for (const ListedPanel& panel : listed_panels()) {
+        rows.push_back(
+            {panel.name, size_text(panel.size), colours_text(panel.format), panel.bus, known_to(panel)});
+        json.push_back(json_of(panel));
+    }
+    std::cout << (is_json ? json_text(json) : table_text(rows));
+}
+
+void declare_panels(CLI::App& app)
+{
+    const auto json = std::make_shared<bool>(false);
+    declare_json(app, *json);
+    app.callback([json] { print_panels(*json); });
+}
+
+}
+
+const Command panels_command{
+    "panels", "List the panels that options --panel know", "kfast panels", declare_panels, {}, board_group};
 
 }

@@ -1,14 +1,14 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/info/check_json.hpp"
-#include "host/commands/options/report_options.hpp"
+#include "host/commands/options/output_options.hpp"
 #include "host/commands/text/summary.hpp"
 #include "host/compile/scene_file.hpp"
 #include "host/file/input_file.hpp"
 #include "host/import/loss_list.hpp"
 #include "host/preview/overlay/unseen_objects.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 #include "host/text/reported_diagnostics.hpp"
 
 #include <iostream>

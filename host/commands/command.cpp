@@ -3,7 +3,6 @@
 #include "firmware/version.hpp"
 #include "host/commands/command_line.hpp"
 #include "host/commands/help/help_page.hpp"
-#include "host/commands/help/old_names.hpp"
 #include "host/commands/help/usage_mistake.hpp"
 #include "host/program/failure.hpp"
 

@@ -2,7 +2,7 @@
 
 namespace kfast {
 
-/// The whole program. Returns its exit status (exit_status.hpp).
+/// The whole program. Returns its exit status (ExitStatus).
 int run_command_line(int count, const char* const* arguments);
 
 }

@@ -2,11 +2,11 @@
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/devices/playing_text.hpp"
 #include "host/commands/text/json_text.hpp"
-#include "host/link/device_choice.hpp"
+#include "host/link/device_address.hpp"
 #include "host/link/hid_pipe.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
-#include "host/udev/udev_rule.hpp"
+#include "host/text/characters.hpp"
+#include "host/udev/udev.hpp"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,11 @@
 #include "host/commands/command.hpp"
-#include "host/commands/export/c_name.hpp"
+#include "host/commands/export/export_header.hpp"
 #include "host/commands/export/export_kinds.hpp"
 #include "host/commands/import/import_options.hpp"
-#include "host/commands/options/beam_option.hpp"
-#include "host/commands/options/number_range.hpp"
+#include "host/commands/options/beam_options.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/output_option.hpp"
-#include "host/commands/options/output_path.hpp"
-#include "host/commands/options/report_options.hpp"
+#include "host/commands/options/output_options.hpp"
 
 #include <array>
 #include <memory>

@@ -1,9 +1,8 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
-#include "host/commands/info/beam_fit_print.hpp"
 #include "host/commands/info/fit_print.hpp"
 #include "host/commands/options/fit_options.hpp"
-#include "host/commands/options/report_options.hpp"
+#include "host/commands/options/output_options.hpp"
 
 #include <iostream>
 

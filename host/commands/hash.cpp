@@ -1,11 +1,10 @@
 #include "host/beam/beam_source.hpp"
-#include "host/beam/point_hash.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
-#include "host/commands/options/beam_option.hpp"
+#include "host/commands/options/beam_options.hpp"
 #include "host/commands/options/play_options.hpp"
 #include "host/commands/render/picture_options.hpp"
-#include "host/commands/text/work_bar.hpp"
+#include "host/commands/text/progress.hpp"
 #include "host/compile/scene_file.hpp"
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/file/atomic_file.hpp"
 #include "host/program/failure.hpp"
-#include "host/udev/udev_rule.hpp"
+#include "host/udev/udev.hpp"
 
 #include <cerrno>
 #include <cstdlib>

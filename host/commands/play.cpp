@@ -1,14 +1,14 @@
 #include "host/commands/command.hpp"
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/devices/playing_text.hpp"
-#include "host/commands/devices/sent_scene.hpp"
+#include "host/commands/devices/sending.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/play_options.hpp"
 #include "host/compile/scene_file.hpp"
-#include "host/link/on_each.hpp"
-#include "host/link/slot_choice.hpp"
-#include "host/text/glyph.hpp"
+#include "host/link/remote_device.hpp"
+#include "host/link/scene_upload.hpp"
+#include "host/text/characters.hpp"
 
 #include <optional>
 

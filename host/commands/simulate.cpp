@@ -1,16 +1,16 @@
 #include "host/commands/command.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/report_options.hpp"
+#include "host/commands/options/output_options.hpp"
 #include "host/commands/render/picture_options.hpp"
 #include "host/compile/scene_file.hpp"
 #include "host/config/config_input.hpp"
-#include "host/link/sim_socket.hpp"
+#include "host/link/device_address.hpp"
 #include "host/picture/png.hpp"
 #include "host/preview/board_watcher.hpp"
 #include "host/preview/window/window_layout.hpp"
 #include "host/program/interruption.hpp"
-#include "host/simulator/plugged_run.hpp"
-#include "host/text/glyph.hpp"
+#include "host/simulator/plugged_board.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,10 +1,10 @@
 #include "host/commands/command.hpp"
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/text/json_text.hpp"
-#include "host/link/on_each.hpp"
-#include "host/link/refusal.hpp"
-#include "host/link/slot_choice.hpp"
-#include "host/text/glyph.hpp"
+#include "host/link/remote_device.hpp"
+#include "host/link/session.hpp"
+#include "host/link/scene_upload.hpp"
+#include "host/text/characters.hpp"
 
 #include <charconv>
 #include <iostream>

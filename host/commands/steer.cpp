@@ -2,13 +2,11 @@
 #include "host/commands/command.hpp"
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/devices/playing_text.hpp"
-#include "host/commands/text/brightness_text.hpp"
+#include "host/commands/text/quantity_text.hpp"
 #include "host/commands/text/json_text.hpp"
-#include "host/commands/text/speed_text.hpp"
-#include "host/commands/text/time_text.hpp"
-#include "host/link/on_each.hpp"
+#include "host/link/remote_device.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <iostream>
 

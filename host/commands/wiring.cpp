@@ -1,13 +1,12 @@
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/flash/settings_choice.hpp"
-#include "host/commands/options/offered_names.hpp"
-#include "host/commands/options/report_options.hpp"
+#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/output_options.hpp"
 #include "host/commands/text/table_lines.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"
-#include "host/config/pico_drawing.hpp"
-#include "host/config/pico_edge.hpp"
+#include "host/config/pico_pins.hpp"
 #include "host/config/setting_words.hpp"
 
 #include <iostream>

@@ -7,11 +7,10 @@
 #include "host/import/import_scene.hpp"
 #include "host/import/loss_list.hpp"
 #include "host/program/failure.hpp"
-#include "host/program/slow_scene.hpp"
 #include "host/scene/font/font_files.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 #include "host/text/reported_diagnostics.hpp"
-#include "host/text/utf16.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <span>

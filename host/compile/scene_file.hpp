@@ -4,7 +4,7 @@
 #include "host/art/losses.hpp"
 #include "host/compiler/compile.hpp"
 #include "host/import/options.hpp"
-#include "host/text/reporter.hpp"
+#include "host/text/reported_diagnostics.hpp"
 #include "host/text/source.hpp"
 
 #include <cstddef>

@@ -1,11 +1,11 @@
 #include "host/compiler/drifting_arcs.hpp"
 
 #include "core/time/track.hpp"
-#include "host/compiler/carry/backbone_cell.hpp"
+#include "host/compiler/carry/backbone_cells.hpp"
 #include "host/compiler/match/match_by_count.hpp"
 #include "host/compiler/match/match_by_length.hpp"
-#include "host/text/rounded_text.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/number_text.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_profile.hpp"
 #include "core/beam/beam_route.hpp"
-#include "host/compiler/carry/deformer.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,12 +4,11 @@
 #include "host/compiler/limits/allowance.hpp"
 #include "host/compiler/limits/outline_needs.hpp"
 #include "host/compiler/pack/drawing_pool.hpp"
-#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/write/bone_writer.hpp"
 #include "host/compiler/write/header.hpp"
-#include "host/compiler/write/input_writer.hpp"
+#include "host/compiler/write/inputs_and_marks.hpp"
 #include "host/compiler/write/item_writer.hpp"
-#include "host/compiler/write/mark_writer.hpp"
 
 #include <string>
 

@@ -1,15 +1,15 @@
 #include "host/config/config_input.hpp"
 
 #include "firmware/settings/board_record.hpp"
-#include "host/config/config_reader.hpp"
+#include "host/config/config_text.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/mistake_text.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/file/input_file.hpp"
 #include "host/flash/uf2.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/number_text.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 

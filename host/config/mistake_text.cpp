@@ -1,8 +1,8 @@
 #include "host/config/mistake_text.hpp"
 
-#include "host/config/pin_list.hpp"
+#include "host/config/pico_pins.hpp"
 #include "host/config/setting_words.hpp"
-#include "host/schema/quantity_reader.hpp"
+#include "host/schema/value_reader.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,6 +2,7 @@
 
 #include "firmware/settings/board_settings.hpp"
 
+#include <optional>
 #include <string_view>
 
 namespace kfast::config {
@@ -15,5 +16,9 @@ enum class IdleLevel : std::uint8_t { none, low, high };
 
 /// What holds a display ready that has a pin for the role, though the settings have none.
 IdleLevel idle_level(PinRole role, const BoardSettings& settings);
+
+/// What a pin is for beside which sellers of displays print this, in small letters: "rst" is reset. The names
+/// of roles themselves are not among them.
+std::optional<PinRole> role_printed_as(std::string_view name);
 
 }

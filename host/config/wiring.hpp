@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,7 @@ inline constexpr std::array<ConverterOutput, 2> converter_outputs{{{"VOUTA (14)"
 struct Connection {
     std::string part; ///< "display", "button 1"
     std::string end;  ///< of the part, as it is printed there: "SCL, SCK or CLK"
-    int pin = 0;      ///< of the edge (pico_edge.hpp)
+    int pin = 0;      ///< of the edge (pico_pins.hpp)
     std::optional<Pin> gpio = std::nullopt;
     std::string purpose = {}; ///< "SPI0 SCK", "plays blink"; may be empty
     bool is_optional = false; ///< only where the part has such an end; no drawing shows it
@@ -33,5 +34,8 @@ struct Connection {
 /// All wires that settings for a Pico ask for, part by part; they keep its rules
 /// (firmware/settings/board_rules.hpp).
 std::vector<Connection> wiring(const BoardSettings& settings);
+
+/// A Pico from above in letters, its USB socket on top, with what goes to each pin beside it.
+std::string pico_drawing(std::span<const Connection> wires);
 
 }

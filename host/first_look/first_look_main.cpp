@@ -2,10 +2,10 @@
 #include "host/file/input_file.hpp"
 #include "host/picture/player_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 #include "host/preview/terminal/borrowed_terminal.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <charconv>

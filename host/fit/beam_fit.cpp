@@ -1,10 +1,10 @@
 #include "host/fit/beam_fit.hpp"
 
-#include "host/fit/beam_run.hpp"
+#include "host/fit/scene_run.hpp"
 #include "host/fit/cost_table.hpp"
-#include "host/fit/slack.hpp"
+#include "host/fit/speed.hpp"
 #include "host/fit/wording.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #include "host/fit/board_texts.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 #include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace kfast::fit {
+
 namespace {
 
 constexpr InputKind board_input{"board", "a .kdl file", "a description begins with 'board'"};
@@ -50,6 +51,40 @@ Target chosen_board(const std::string& name, std::ostream& out)
     if (built_in == board_texts().end())
         refuse(name);
     return board_of({name, std::string{built_in->text}}, out);
+}
+
+namespace {
+
+BusKind kind_of(kfast::BusKind bus)
+{
+    switch (bus) {
+    case kfast::BusKind::spi:
+        return BusKind::spi;
+    case kfast::BusKind::i2c:
+        return BusKind::i2c;
+    case kfast::BusKind::parallel_8:
+        return BusKind::parallel_8;
+    case kfast::BusKind::dac:
+        break;
+    }
+    return {};
+}
+
+}
+
+Target pico_target(const BoardSettings& settings)
+{
+    if (leads_beam(settings.bus)) {
+        Target target = chosen_board("pico-xy");
+        target.beam = settings.beam;
+        target.bus.clock = settings.bus_clock;
+        return target;
+    }
+    Target target = chosen_board("pico");
+    target.display = *display_named(controller_name(settings.panel.controller));
+    target.display.size = settings.panel.size();
+    target.bus = {kind_of(settings.bus), static_cast<double>(settings.bus_clock)};
+    return target;
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/settings/board_settings.hpp"
 #include "host/fit/target.hpp"
 
 #include <iostream>
@@ -14,5 +15,8 @@ bool names_board_file(const std::string& name);
 /// to `out`.
 /// Throws Failure for a name that no board has and for a file that describes none.
 Target chosen_board(const std::string& name, std::ostream& out = std::cerr);
+
+/// A Raspberry Pi Pico with the display, or the beam, and the bus of these settings.
+Target pico_target(const BoardSettings& settings);
 
 }

@@ -1,14 +1,13 @@
 #include "host/fit/board_reader.hpp"
 
-#include "host/beam/beam_reader.hpp"
+#include "host/beam/beam_text.hpp"
 #include "host/fit/display_reader.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/part_rule.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/schema/quantity_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/schema/value_reader.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // Written by scripts/calibrate.
 
 #include "host/fit/cost_table.hpp"
-#include "host/fit/op_names.hpp"
+#include "host/fit/op_counts.hpp"
 
 #include <array>
 #include <string_view>

@@ -2,7 +2,7 @@
 
 #include "core/features.hpp"
 #include "host/fit/op_counts.hpp"
-#include "host/fit/processor.hpp"
+#include "host/fit/target.hpp"
 
 #include <array>
 #include <cstddef>

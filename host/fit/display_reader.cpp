@@ -2,10 +2,10 @@
 
 #include "core/player.hpp"
 #include "host/fit/other_hardware.hpp"
-#include "host/picture/format_name.hpp"
+#include "host/picture/panel_choice.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/schema/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <string>

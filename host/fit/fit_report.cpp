@@ -1,16 +1,71 @@
 #include "host/fit/fit_report.hpp"
 
-#include "host/fit/item_labels.hpp"
-#include "host/fit/slack.hpp"
+#include "core/scene/item_view.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/fit/speed.hpp"
 #include "host/fit/wording.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
+#include "host/walk/every_item.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <span>
 #include <string>
 
 namespace kfast::fit {
+
 namespace {
+
+/// What the objects of a scene are called, by their paths (core/scene/item_view.hpp).
+class ItemLabels {
+public:
+    /// `names` are those of the items in the order in which the scene stores them, or none.
+    ItemLabels(const SceneView& scene, std::span<const std::string> names);
+
+    /// "gaze/left-eye/shape"; "object 3" if it has no name, "" if there is no such object.
+    std::string operator[](std::uint32_t path) const;
+
+private:
+    struct Outer {
+        std::uint32_t path = 0;
+        std::string label;
+    };
+
+    void add(ItemCursor items, const Outer& outer);
+
+    const SceneView& scene_;
+    std::map<const std::byte*, StoredItem> items_;
+    std::map<std::uint32_t, std::string> labels_; ///< by the paths of objects
+};
+
+ItemLabels::ItemLabels(const SceneView& scene, std::span<const std::string> names)
+    : scene_{scene}, items_{stored_items(scene, names)}
+{
+    add(scene.items(), {});
+}
+
+void ItemLabels::add(ItemCursor items, const Outer& outer)
+{
+    while (!items.at_end()) {
+        const ItemView item = items.next();
+        Outer inner{path_to(scene_.place_of(item.place), outer.path), outer.label};
+        const std::string& name = items_.at(item.place).name;
+        if (!name.empty())
+            inner.label += (inner.label.empty() ? "" : "/") + name;
+        if (item.is_leaf())
+            labels_[inner.path] = inner.label;
+        else
+            add(scene_.items_in(item), inner);
+    }
+}
+
+std::string ItemLabels::operator[](std::uint32_t path) const
+{
+    const auto label = labels_.find(path);
+    return label == labels_.end() ? "" : label->second;
+}
 
 std::string excess(const std::string& what, std::size_t needed, std::size_t available,
                    const std::string& parts)

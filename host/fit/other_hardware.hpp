@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,5 +44,21 @@ std::optional<std::string> other_core_text(std::string_view name);
 std::optional<std::string> other_panel_text(std::string_view name);
 /// The hint for a display that there is no driver for, though `kfast fit` may know it.
 std::optional<std::string> undriven_panel_text(std::string_view name);
+
+/// Small letters and digits alone: "Pico-2 W" is "pico2w".
+inline std::string plain_name(std::string_view name)
+{
+    std::string plain;
+    for (const char letter : name)
+        if (std::isalnum(static_cast<unsigned char>(letter)) != 0)
+            plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return plain;
+}
+
+inline bool is_called(const OtherName& other, std::string_view name)
+{
+    const std::string plain = ' ' + plain_name(name) + ' ';
+    return plain.size() > 2 && (' ' + std::string{other.names} + ' ').find(plain) != std::string::npos;
+}
 
 }

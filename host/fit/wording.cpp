@@ -1,8 +1,7 @@
 #include "host/fit/wording.hpp"
 
-#include "host/text/counted.hpp"
-#include "host/words/feature_name.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/number_text.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <cmath>
 #include <sstream>

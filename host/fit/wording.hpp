@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/fit/memory_need.hpp"
+#include "host/fit/scene_needs.hpp"
 
 #include <cstddef>
 #include <string>

@@ -6,7 +6,7 @@
 
 #include "host/compile/scene_file.hpp"
 #include "host/fit/cost_table.hpp"
-#include "host/fit/op_names.hpp"
+#include "host/fit/op_counts.hpp"
 #include "host/fit/scene_run.hpp"
 #include "host/program/failure.hpp"
 

@@ -1,12 +1,11 @@
 #include "host/flash/flash_image.hpp"
 
-#include "host/flash/hex_text.hpp"
-
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
 namespace kfast {
+
 namespace {
 
 constexpr std::uint64_t end_of_addresses = std::uint64_t{1} << 32;

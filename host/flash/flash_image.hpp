@@ -1,14 +1,30 @@
 #pragma once
 
-#include "host/flash/flash_region.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast {
+
+/// "0x10001000", with more digits where eight are too few.
+inline std::string hex_text(std::uint64_t value)
+{
+    std::array<char, 20> text{};
+    std::snprintf(text.data(), text.size(), "0x%08llx", static_cast<unsigned long long>(value));
+    return text.data();
+}
+
+/// Bytes and where they belong in a chip's memory.
+struct FlashRegion {
+    std::uint32_t address = 0;
+    std::vector<std::byte> bytes;
+
+    friend bool operator==(const FlashRegion&, const FlashRegion&) = default;
+};
 
 /// What is to lie in flash: whole sectors of 4 KiB in the order of their addresses, padded with 0xFF. Sectors
 /// that no region touches stay as they are.

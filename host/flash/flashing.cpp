@@ -1,6 +1,6 @@
 #include "host/flash/flashing.hpp"
 
-#include "host/flash/hex_text.hpp"
+#include "host/flash/flash_image.hpp"
 #include "host/program/failure.hpp"
 #include "host/program/interruption.hpp"
 

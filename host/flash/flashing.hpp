@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/flash/boot_loader.hpp"
+#include "host/flash/boot_board.hpp"
 #include "host/flash/flash_image.hpp"
 
 #include <cstddef>

@@ -1,17 +1,3 @@
-#include "host/flash/picoboot.hpp"
-
-#include "core/bytes/byte_reader.hpp"
-#include "host/compiler/pack/byte_writer.hpp"
-#include "host/flash/flash_image.hpp"
-#include "host/flash/hex_text.hpp"
-
-#include <algorithm>
-#include <array>
-#include <initializer_list>
-#include <string>
-#include <utility>
-#include <vector>
-
 // PICOBOOT as the published sources of the boot ROM have it (raspberrypi/pico-bootrom-rp2040,
 // bootrom/usb_boot_device.c and async_task.c).
 //
@@ -20,7 +6,21 @@
 // with data stalls theirs, until a reset; the status tells what it was. An erasure that cannot be is
 // acknowledged all the same: that flash was erased shows only when it is read.
 
+#include "host/flash/picoboot.hpp"
+
+#include "core/bytes/byte_reader.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
+#include "host/flash/flash_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace kfast {
+
 namespace {
 
 using namespace std::chrono_literals;

@@ -1,8 +1,7 @@
 #include "host/flash/uf2_contents.hpp"
 
-#include "host/flash/hex_text.hpp"
+#include "host/flash/flash_image.hpp"
 #include "host/flash/uf2.hpp"
-#include "host/flash/uf2_block.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/flash/flash_region.hpp"
+#include "host/flash/flash_image.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,9 +5,14 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast {
+
+/// Where file systems are mounted that a drive which is plugged in may have, as /proc/self/mountinfo tells
+/// it. No network is asked.
+std::vector<std::filesystem::path> mounted_folders(std::string_view mountinfo);
 
 /// A mounted drive of a boot loader. It takes UF2 files and tells nothing of what lies in flash.
 struct Uf2Drive {

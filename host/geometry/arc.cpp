@@ -1,13 +1,41 @@
 #include "host/geometry/arc.hpp"
 
-#include "host/geometry/unit_circle.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 namespace kfast::scene {
+
+namespace {
+
+/// `spot` moved along the tangent of the unit circle, clockwise.
+Vec2 moved(Vec2 spot, double along) { return spot + along * Vec2{-spot.y, spot.x}; }
+
+}
+
+Vec2 on_unit_circle(double degrees)
+{
+    int quarters = 0; // its last three bits, with the sign of `degrees`
+    const double rest = std::remquo(degrees, 90.0, &quarters) * std::numbers::pi / 180;
+    Vec2 spot{std::cos(rest), std::sin(rest)};
+    for (int i = quarters & 3; i > 0; --i)
+        spot = {-spot.y, spot.x};
+    return spot;
+}
+
+int arc_pieces(double quarters)
+{
+    // A quarter that rounding made a hair too long is still one piece.
+    return std::max(1, static_cast<int>(std::ceil(quarters - 1e-9)));
+}
+
+Curve unit_arc(Vec2 from, Vec2 to, double radians)
+{
+    const double handle = 4.0 / 3.0 * std::tan(radians / 4);
+    return cubic_to(moved(from, handle), moved(to, -handle), to);
+}
+
 namespace {
 
 /// Lengths outside of these count as 0 and as `longest`: on a canvas they make no difference, and within
@@ -101,6 +129,58 @@ std::vector<Curve> curves_of(const Arc& arc)
     std::vector<Curve> curves = Ellipse{arc}.curves();
     curves.back().to = arc.to;
     return curves;
+}
+
+namespace {
+
+Vec2 on_canvas(const Sector& sector, Vec2 unit)
+{
+    return sector.centre + Vec2{sector.radius_x * unit.x, sector.radius_y * unit.y};
+}
+
+Curve piece(const Sector& sector, double from, double to)
+{
+    const Curve unit =
+        unit_arc(on_unit_circle(from), on_unit_circle(to), (to - from) * std::numbers::pi / 180);
+    return cubic_to(on_canvas(sector, unit.c1), on_canvas(sector, unit.c2), on_canvas(sector, unit.to));
+}
+
+Vec2 begin(const Sector& sector) { return on_canvas(sector, on_unit_circle(sector.from)); }
+
+void append_arc(Outline& outline, const Sector& sector)
+{
+    const double extent = sector.to - sector.from;
+    const int count = arc_pieces(std::abs(extent) / 90);
+    const auto angle = [&](int i) { return sector.from + extent * i / count; };
+    for (int i = 0; i < count; ++i)
+        outline.curves.push_back(piece(sector, angle(i), angle(i + 1)));
+}
+
+}
+
+Outline arc(const Sector& sector)
+{
+    Outline outline{.from = begin(sector), .curves = {}, .closed = false, .sector = sector};
+    append_arc(outline, sector);
+    return outline;
+}
+
+Outline pie(const Sector& sector)
+{
+    Outline outline{
+        .from = sector.centre, .curves = {line_to(begin(sector))}, .closed = true, .sector = sector};
+    append_arc(outline, sector);
+    return outline;
+}
+
+Outline ring_piece(const Sector& sector, double inner)
+{
+    const Sector back{sector.centre, inner, inner, sector.to, sector.from};
+    Outline outline = arc(sector);
+    outline.closed = true;
+    outline.curves.push_back(line_to(begin(back)));
+    append_arc(outline, back);
+    return outline;
 }
 
 }

@@ -1,10 +1,11 @@
 #include "host/geometry/outline.hpp"
 
-#include "host/geometry/coordinate.hpp"
+#include "host/geometry/drawing.hpp"
 
 #include <algorithm>
 
 namespace kfast::scene {
+
 namespace {
 
 Point rounded(Vec2 spot) { return {to_sixteenths(spot.x), to_sixteenths(spot.y)}; }

@@ -1,7 +1,6 @@
 #include "host/geometry/svg_path.hpp"
 
 #include "host/geometry/arc.hpp"
-#include "host/geometry/coordinate.hpp"
 #include "host/geometry/drawing.hpp"
 #include "host/geometry/path_scanner.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/geometry/coordinate.hpp"
+#include "host/geometry/drawing.hpp"
 #include "host/geometry/outline.hpp"
 #include "host/text/diagnostic.hpp"
 

@@ -2,6 +2,8 @@
 
 #include "host/geometry/drawing.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace kfast::scene {
@@ -27,5 +29,31 @@ struct WireStroke {
 /// Rounds every point once, to the nearest 1/16 px (halves away from zero). Segments without extent stay, so
 /// that the points of two wires keep meeting.
 WireStroke quantized(const Wire& wire);
+
+/// Two different vertices.
+struct Edge {
+    std::size_t from = 0;
+    std::size_t to = 0;
+};
+
+/// Vertices, each joined to the next by an edge.
+using Trail = std::vector<std::size_t>;
+
+/// The fewest trails that run along each of `edges` once: of each connected part, one that comes back to its
+/// beginning, or half as many as there are vertices with an odd number of edges. The vertices of all edges
+/// are less than `vertices`. Where edges lead is all that matters: equal ones give equal trails.
+std::vector<Trail> edge_trails(std::size_t vertices, std::span<const Edge> edges);
+
+/// Corners and the edges between them.
+struct Mesh {
+    std::vector<Vec3> vertices;
+    std::vector<Edge> edges; ///< between these; the same one may stand several times
+};
+
+/// The twelve edges of a box. `corner` is the one with the least x, y and z.
+Mesh cuboid(const Vec3& corner, double width, double height, double depth);
+
+/// All edges, each once, in as few wires as there can be.
+std::vector<Wire> wires_of(const Mesh& mesh);
 
 }

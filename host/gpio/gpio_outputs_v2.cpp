@@ -1,4 +1,3 @@
-#include "host/gpio/gpio_failure.hpp"
 #include "host/gpio/gpio_lookup.hpp"
 
 #include <array>

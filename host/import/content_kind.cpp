@@ -1,8 +1,7 @@
 #include "host/import/content_kind.hpp"
 
-#include "host/archive/gzip.hpp"
-#include "host/archive/zip_file.hpp"
-#include "host/text/utf16.hpp"
+#include "host/archive/archive.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 

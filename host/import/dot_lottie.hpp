@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/archive/zip_file.hpp"
+#include "host/archive/archive.hpp"
 #include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
 

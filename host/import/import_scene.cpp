@@ -1,21 +1,18 @@
 #include "host/import/import_scene.hpp"
 
-#include "host/archive/gzip.hpp"
-#include "host/archive/zip_file.hpp"
+#include "host/archive/archive.hpp"
 #include "host/art/prepare/prepare.hpp"
-#include "host/art/prepare/shared_eases.hpp"
 #include "host/file/input_file.hpp"
-#include "host/import/canvas_size.hpp"
+#include "host/import/extent.hpp"
 #include "host/import/content_kind.hpp"
 #include "host/import/dot_lottie.hpp"
 #include "host/lottie/read_lottie.hpp"
 #include "host/program/failure.hpp"
 #include "host/scene_text/scene_text.hpp"
-#include "host/svg/read_keys.hpp"
 #include "host/svg/read_svg.hpp"
 #include "host/synfig/read_synfig.hpp"
-#include "host/text/excerpt.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/source.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "core/math/point.hpp"
 #include "core/pixel/paint_style.hpp"
-#include "host/art/prepare/tolerance.hpp"
+#include "host/art/prepare/prepare.hpp"
 #include "host/program/progress_callback.hpp"
 #include "host/svg/poses/key_options.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/kdl/canonical.hpp"
 
 #include "host/kdl/escape.hpp"
-#include "host/kdl/identifier.hpp"
+#include "host/kdl/scalar.hpp"
 
 #include <algorithm>
 

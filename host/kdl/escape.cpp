@@ -1,8 +1,7 @@
 #include "host/kdl/escape.hpp"
 
-#include "host/kdl/code_point_class.hpp"
-#include "host/text/glyph.hpp"
-#include "host/text/utf8.hpp"
+#include "host/kdl/scanner.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <array>

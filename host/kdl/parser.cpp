@@ -1,10 +1,8 @@
 #include "host/kdl/parser.hpp"
 
-#include "host/kdl/encoding.hpp"
-#include "host/kdl/scalar.hpp"
 #include "host/kdl/scanner.hpp"
-#include "host/kdl/white_space.hpp"
-#include "host/text/glyph.hpp"
+#include "host/kdl/scalar.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <optional>

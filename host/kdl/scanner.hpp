@@ -6,7 +6,21 @@
 #include <string>
 #include <string_view>
 
+/// The classes of code points that KDL's grammar names.
 namespace kfast::kdl {
+
+/// White space that does not end a line.
+bool is_space(char32_t point);
+
+/// CR and LF count one by one here; that CR LF is one new line is up to the reader.
+bool is_newline(char32_t point);
+
+/// May stand nowhere in a document, except U+FEFF as its very first code point.
+bool is_disallowed(char32_t point);
+
+/// May stand in a string without quotes. Other rules limit how such a string begins. Says nothing about
+/// disallowed code points: they are errors of their own, wherever they stand.
+bool is_identifier_character(char32_t point);
 
 /// Walks through a text of valid UTF-8 and reports what is wrong with it.
 ///
@@ -56,5 +70,20 @@ private:
     bool silent_ = false;
     bool stopped_ = false;
 };
+
+/// Goes over white space within a node: spaces, /* comments */ and line continuations.
+void skip_node_space(Scanner& scanner);
+
+/// Goes over white space between nodes: the above, new lines and // comments.
+void skip_line_space(Scanner& scanner);
+
+/// Goes over spaces alone.
+void skip_spaces(Scanner& scanner);
+
+/// Reports what no document may hold: bytes that are not UTF-8, and disallowed code points.
+///
+/// Of the former only the first, and false: the text cannot be parsed. Goes over no text, except over a byte
+/// order mark at the beginning.
+bool check_encoding(Scanner& scanner);
 
 }

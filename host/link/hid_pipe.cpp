@@ -1,9 +1,9 @@
 #include "host/link/hid_pipe.hpp"
 
 #include "firmware/usb/usb_id.hpp"
-#include "host/link/unplugged.hpp"
-#include "host/text/utf8.hpp"
-#include "host/udev/not_allowed.hpp"
+#include "host/link/report_pipe.hpp"
+#include "host/text/characters.hpp"
+#include "host/udev/udev.hpp"
 
 #include <algorithm>
 #include <array>

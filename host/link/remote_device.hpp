@@ -4,7 +4,10 @@
 #include "host/link/report_pipe.hpp"
 #include "host/link/session.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,5 +35,10 @@ private:
 
 /// Throws Failure with no_device or no_permission, and what RemoteDevice throws.
 RemoteDevice open_device(const DeviceAddress& address, Milliseconds last_patience);
+
+/// Calls `act` for every device and its index at the same time, each on a thread of its own, and returns when
+/// all have ended. What some of them throw is thrown as one Failure, with the names of the devices if there
+/// are several; its status is that of the first.
+void on_each(std::span<RemoteDevice> devices, const std::function<void(RemoteDevice&, std::size_t)>& act);
 
 }

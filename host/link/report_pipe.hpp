@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/link/report.hpp"
+#include "host/program/failure.hpp"
 
 #include <chrono>
 #include <optional>
@@ -31,6 +32,17 @@ public:
 inline Milliseconds steady_milliseconds()
 {
     return std::chrono::duration_cast<Milliseconds>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+inline Failure unplugged()
+{
+    return Failure{"the device is gone: plug it in again, and ask once more", ExitStatus::unplugged};
+}
+
+inline Failure takes_nothing()
+{
+    return Failure{"the device takes no report: unplug it, plug it in again, and ask once more",
+                   ExitStatus::timed_out};
 }
 
 }

@@ -1,14 +1,28 @@
 #pragma once
 
+#include "firmware/link/message.hpp"
 #include "firmware/link/upload_message.hpp"
+#include "host/link/remote_device.hpp"
 #include "host/link/session.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace kfast {
+
+/// What all slots of a device hold.
+std::vector<link::SlotContents> slots_of(RemoteDevice& device);
+
+/// Where a scene of that name goes: where one of the same name is, else the first empty slot. Throws Failure
+/// with no_room if there is none.
+std::uint8_t slot_for(std::string_view name, std::span<const link::SlotContents> slots);
+
+/// The longest beginning of the name that a device can keep, in whole characters.
+std::string_view stored_name(std::string_view name);
 
 /// Told how many bytes of the scene the device has; it may become fewer when an upload begins anew.
 using ByteProgressCallback = std::function<void(std::size_t bytes)>;

@@ -3,11 +3,26 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "host/link/report_pipe.hpp"
+#include "host/program/failure.hpp"
 
 #include <cstdint>
 #include <optional>
 
 namespace kfast {
+
+/// A device has said that it will not do what it was asked for.
+class Refusal : public Failure {
+public:
+    explicit Refusal(const link::Failure& failure);
+
+    Status status() const { return status_; }
+    /// What belongs to the status.
+    std::uint32_t number() const { return number_; }
+
+private:
+    Status status_;
+    std::uint32_t number_;
+};
 
 /// How long a device may be silent before it is asked again: what it does without its flash, and with it.
 inline constexpr Milliseconds patience_with_ram{50};

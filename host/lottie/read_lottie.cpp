@@ -1,14 +1,119 @@
 #include "host/lottie/read_lottie.hpp"
 
-#include "host/lottie/layers/background.hpp"
-#include "host/lottie/layers/camera.hpp"
+#include "host/art/document/document.hpp"
+#include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/composition.hpp"
-#include "host/lottie/values/json_text.hpp"
+#include "host/lottie/layers/layer.hpp"
+#include "host/lottie/shapes/transform.hpp"
+#include "host/lottie/values/json.hpp"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace kfast::lottie {
+
 namespace {
+
+bool is_still(const art::Transform& transform)
+{
+    return !transform.path &&
+           std::ranges::all_of(
+               std::initializer_list<const art::Channel*>{
+                   &transform.anchor_x, &transform.anchor_y, &transform.x, &transform.y, &transform.z,
+                   &transform.scale_x, &transform.scale_y, &transform.rotate, &transform.rotate_x,
+                   &transform.rotate_y, &transform.skew, &transform.skew_axis},
+               [](const art::Channel* channel) { return steady_value(*channel).has_value(); }) &&
+           is_flat(transform);
+}
+
+bool is_plain(const art::Node& node)
+{
+    return is_still(node.transform) && steady_value(node.opacity) == 1.0 &&
+           node.shown == std::vector<art::Span>{{}};
+}
+
+/// The colour of a shape that is a background.
+std::optional<art::Rgb> background_of(const art::Node& node, const art::Document& document,
+                                      const art::Affine& matrix = {})
+{
+    if (!is_plain(node))
+        return std::nullopt;
+    const art::Affine inner = matrix * matrix_at(node.transform, 0);
+    if (const auto* group = std::get_if<art::Group>(&node.content))
+        return group->nodes.size() == 1 ? background_of(group->nodes.front(), document, inner) : std::nullopt;
+    const auto& shape = std::get<art::Shape>(node.content);
+    if (!shape.drawing.is_still() || shape.drawing.value().outlines.size() != 1 || !shape.fill ||
+        shape.stroke || !shape.fill->colour.is_still() || steady_value(shape.fill->opacity) != 1.0)
+        return std::nullopt;
+    const auto corners = Box{0, 0, document.width, document.height}.corners();
+    if (!contains({{inner.of(shape.drawing.value().outlines.front())}}, corners))
+        return std::nullopt;
+    return shape.fill->colour.value();
+}
+
+/// What lies lowest, is of one colour, covers the canvas and never changes is the background instead.
+void lift_background(art::Document& document)
+{
+    if (document.nodes.empty())
+        return;
+    document.background = background_of(document.nodes.front(), document);
+    if (document.background)
+        document.nodes.erase(document.nodes.begin());
+}
+
+constexpr double nearly = 0.01;
+
+/// Of what always has the same value; nothing of others.
+std::optional<double> still(const Json& ks, const char* name, std::size_t index, double default_value,
+                            Animation& animation)
+{
+    return steady_value(read_channel(ks, name, index, default_value, 1, {}, animation.budget));
+}
+
+bool is_at(const Json& ks, const char* name, std::size_t index, double value, Animation& animation)
+{
+    const auto found = still(ks, name, index, value, animation);
+    return found && std::abs(*found - value) <= nearly;
+}
+
+bool looks_straight(const Json& camera, double distance, Animation& animation)
+{
+    const Json* const ks = find_member(camera, "ks");
+    if (!ks || find_member(camera, "parent"))
+        return false;
+    const double x = animation.width / 2;
+    const double y = animation.height / 2;
+    for (const char* const turn : {"rx", "ry", "rz", "r"})
+        if (!is_at(*ks, turn, 0, 0, animation))
+            return false;
+    for (const std::size_t axis : {0U, 1U, 2U})
+        if (!is_at(*ks, "or", axis, 0, animation))
+            return false;
+    return is_at(*ks, "p", 0, x, animation) && is_at(*ks, "p", 1, y, animation) &&
+           is_at(*ks, "p", 2, -distance, animation) && is_at(*ks, "a", 0, x, animation) &&
+           is_at(*ks, "a", 1, y, animation);
+}
+
+/// The distance of the viewer, in pixels, by the camera of the file if there is one: it has to look straight
+/// at the middle of the canvas and stay there. Of others there is a loss, and their distance alone.
+std::optional<double> read_camera(Animation& animation)
+{
+    const Json& layers = array_at(animation.root, "layers");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Json& layer = layers[i];
+        if (!layer.is_object() || kind_of(layer) != LayerKind::camera || truth_at(layer, "hd", false))
+            continue;
+        const art::Channel distance = read_channel(layer, "pe", 0, 0, 1, {}, animation.budget);
+        const double first = distance.keys.front().value;
+        if (!steady_value(distance) || !looks_straight(layer, first, animation))
+            animation.losses.add({"camera", name_of(layer, i), std::nullopt,
+                                  "one that stands still and looks at the middle of the canvas"});
+        if (first > 0)
+            return first;
+    }
+    return std::nullopt;
+}
 
 constexpr double longest = 1'000'000; ///< frames of a scene
 constexpr double highest_rate = 1000;

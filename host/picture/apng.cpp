@@ -2,9 +2,8 @@
 
 #include "core/bytes/crc32.hpp"
 #include "host/file/atomic_file.hpp"
-#include "host/picture/film_delay.hpp"
-#include "host/picture/film_moment.hpp"
-#include "host/picture/picture_part.hpp"
+#include "host/picture/film.hpp"
+#include "host/picture/picture.hpp"
 #include "host/picture/png.hpp"
 
 #include <optional>

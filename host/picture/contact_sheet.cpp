@@ -1,12 +1,57 @@
 #include "host/picture/contact_sheet.hpp"
 
-#include "host/picture/digit_picture.hpp"
-#include "host/picture/picture_part.hpp"
+#include "host/picture/picture.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 namespace kfast {
+
 namespace {
+
+/// Pixels from one character to the next, and from the top to the bottom of one.
+inline constexpr Size digit_cell{6, 7};
+
+struct Glyph {
+    char character;
+    std::array<std::string_view, 7> rows;
+};
+
+constexpr std::array glyphs{
+    Glyph{'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
+    Glyph{'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
+    Glyph{'2', {" ### ", "#   #", "    #", "  ## ", " #   ", "#    ", "#####"}},
+    Glyph{'3', {" ### ", "#   #", "    #", "  ## ", "    #", "#   #", " ### "}},
+    Glyph{'4', {"   # ", "  ## ", " # # ", "#  # ", "#####", "   # ", "   # "}},
+    Glyph{'5', {"#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "}},
+    Glyph{'6', {"  ## ", " #   ", "#    ", "#### ", "#   #", "#   #", " ### "}},
+    Glyph{'7', {"#####", "    #", "   # ", "  #  ", "  #  ", " #   ", " #   "}},
+    Glyph{'8', {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", " ### "}},
+    Glyph{'9', {" ### ", "#   #", "#   #", " ####", "    #", "   # ", " ##  "}},
+    Glyph{'.', {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "}},
+    Glyph{'s', {"     ", "     ", " ####", "#    ", " ### ", "    #", "#### "}},
+};
+
+bool is_set(char character, int x, int y)
+{
+    for (const Glyph& glyph : glyphs)
+        if (glyph.character == character && x < 5)
+            return glyph.rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
+    return false;
+}
+
+/// Digits, points, spaces and "s" (for seconds), the rest as spaces, in plain pixels; one character at least.
+Picture digit_picture(std::string_view text, Colour colour, Colour behind)
+{
+    Picture picture{{static_cast<int>(text.size()) * digit_cell.width, digit_cell.height}, {}};
+    for (int y = 0; y < digit_cell.height; ++y)
+        for (const char character : text)
+            for (int x = 0; x < digit_cell.width; ++x)
+                picture.pixels.push_back(is_set(character, x, y) ? colour : behind);
+    return picture;
+}
 
 constexpr int gap = 4;
 constexpr Colour paper{48, 48, 48};

@@ -1,13 +1,63 @@
 #pragma once
 
+#include "core/math/point.hpp"
+#include "core/pose/input_drawing.hpp"
+#include "core/raster/outline/picture.hpp"
+#include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
-#include "host/picture/detail.hpp"
-#include "host/picture/frame.hpp"
-#include "host/picture/input_receiver.hpp"
+#include "host/picture/picture.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace kfast {
+
+/// The inputs of a scene that is shown somewhere: each member as the one of Player.
+class InputReceiver {
+public:
+    virtual ~InputReceiver() = default;
+
+    virtual void set_input(std::uint32_t number, Time place) = 0;
+    virtual bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) = 0;
+    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
+};
+
+/// What of a picture found room for its outlines, the least first.
+enum class Detail : std::uint8_t {
+    parts_missing,
+    coarse, ///< all of it, its curves in fewer pieces
+    full,
+};
+
+Detail detail_of(const raster::Picture& picture);
+
+/// How many of a scene's pictures on a panel are drawn with less than full detail, with inputs at their
+/// defaults.
+struct CoarsePictures {
+    std::size_t coarse = 0;
+    std::size_t looked_at = 0; ///< all frames of one turn, or some of them, evenly spread
+};
+
+/// Looks at no more than `max_pictures` of them.
+CoarsePictures coarse_pictures(const SceneView& scene, Size panel, std::size_t max_pictures);
+
+/// The detail of the pictures that a source shows.
+class ShownDetail {
+public:
+    void add(const raster::Picture& picture);
+
+    Detail min() const { return min_; }
+    /// Of the last picture, in words for FrameSource::facts(); empty if it is full.
+    std::string text() const;
+
+private:
+    Detail last_ = Detail::full;
+    Detail min_ = Detail::full;
+};
 
 /// When a picture changes while a scene plays.
 enum class Pace {
@@ -30,6 +80,33 @@ public:
     virtual Detail min_detail() const { return Detail::full; }
     /// From the next picture on, also what nobody sees on the display, where there is such a thing.
     virtual void reveal(bool /*hidden*/) {}
+};
+
+/// What another source shows, in larger pixels and without its pixel format.
+class ScaledSource : public FrameSource {
+public:
+    /// `factor` is at least 1. show() throws Failure where a picture would become too large.
+    ScaledSource(std::unique_ptr<FrameSource> source, int factor)
+        : source_{std::move(source)}, factor_{factor}
+    {
+    }
+
+    const Frame& show(Time moment) override;
+    void set_input(std::uint32_t number, Time place) override { source_->set_input(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    {
+        return source_->set_drawing(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) override { source_->set_text(number, text); }
+    Pace pace() const override { return source_->pace(); }
+    std::string facts() const override { return source_->facts(); }
+    Detail min_detail() const override { return source_->min_detail(); }
+    void reveal(bool hidden) override { source_->reveal(hidden); }
+
+private:
+    std::unique_ptr<FrameSource> source_;
+    int factor_;
+    Frame frame_;
 };
 
 }

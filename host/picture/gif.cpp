@@ -1,20 +1,126 @@
 #include "host/picture/gif.hpp"
 
 #include "host/file/atomic_file.hpp"
-#include "host/picture/gif_moment.hpp"
-#include "host/picture/palette.hpp"
+#include "host/picture/film.hpp"
+#include "host/picture/picture.hpp"
 #include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <gif_lib.h>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <unordered_map>
+#include <vector>
 
 namespace kfast {
+
 namespace {
+
+/// The colours of some pictures, in the order of 0xRRGGBB.
+class Palette {
+public:
+    static constexpr std::size_t max = 256;
+
+    /// False when they would become more than `max`; then the palette is of no use.
+    bool add(const Picture& picture);
+
+    std::vector<Colour> colours() const;
+    /// Every pixel as an index into colours(). All of them must have been added.
+    std::vector<std::uint8_t> indices(const Picture& picture) const;
+
+private:
+    std::set<std::uint32_t> words_;
+};
+
+/// A picture with a palette of its own.
+struct IndexedPicture {
+    std::vector<Colour> colours;
+    std::vector<std::uint8_t> indices;
+};
+
+constexpr std::uint32_t word(Colour colour)
+{
+    return std::uint32_t{colour.red} << 16 | std::uint32_t{colour.green} << 8 | colour.blue;
+}
+
+constexpr Colour colour(std::uint32_t word)
+{
+    return {static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
+            static_cast<std::uint8_t>(word)};
+}
+
+std::vector<std::uint8_t> channel(const Picture& picture, std::uint8_t Colour::*member)
+{
+    std::vector<std::uint8_t> values(picture.pixels.size());
+    std::ranges::transform(picture.pixels, values.begin(), member);
+    return values;
+}
+
+IndexedPicture quantized(const Picture& picture)
+{
+    std::vector<std::uint8_t> red = channel(picture, &Colour::red);
+    std::vector<std::uint8_t> green = channel(picture, &Colour::green);
+    std::vector<std::uint8_t> blue = channel(picture, &Colour::blue);
+    std::array<GifColorType, Palette::max> map{};
+    int count = Palette::max;
+    IndexedPicture result{{}, std::vector<std::uint8_t>(picture.pixels.size())};
+    if (GifQuantizeBuffer(static_cast<unsigned>(picture.size.width),
+                          static_cast<unsigned>(picture.size.height), &count, red.data(), green.data(),
+                          blue.data(), result.indices.data(), map.data()) != GIF_OK)
+        throw Failure("cannot reduce a picture to 256 colours: not enough memory");
+    for (const GifColorType& entry : map)
+        result.colours.push_back({entry.Red, entry.Green, entry.Blue});
+    return result;
+}
+
+bool Palette::add(const Picture& picture)
+{
+    std::optional<Colour> before; // most pixels are as the one before, and need no search
+    for (const Colour pixel : picture.pixels) {
+        if (pixel == before)
+            continue;
+        before = pixel;
+        if (words_.insert(word(pixel)).second && words_.size() > max)
+            return false;
+    }
+    return true;
+}
+
+std::vector<Colour> Palette::colours() const
+{
+    std::vector<Colour> list(words_.size());
+    std::ranges::transform(words_, list.begin(), colour);
+    return list;
+}
+
+std::vector<std::uint8_t> Palette::indices(const Picture& picture) const
+{
+    std::unordered_map<std::uint32_t, std::uint8_t> places;
+    for (const std::uint32_t each : words_)
+        places.emplace(each, static_cast<std::uint8_t>(places.size()));
+    std::vector<std::uint8_t> result;
+    result.reserve(picture.pixels.size());
+    std::optional<Colour> before;
+    for (const Colour pixel : picture.pixels) {
+        result.push_back(pixel == before ? result.back() : places.at(word(pixel)));
+        before = pixel;
+    }
+    return result;
+}
+
+/// Exact for at most 256 colours, else the nearest of 256 that giflib chooses.
+IndexedPicture indexed(const Picture& picture)
+{
+    Palette palette;
+    if (!palette.add(picture))
+        return quantized(picture);
+    return {palette.colours(), palette.indices(picture)};
+}
 
 using Bytes = std::vector<std::byte>;
 using ColourMap = std::unique_ptr<ColorMapObject, decltype(&GifFreeMapObject)>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/picture/film_limit.hpp"
+#include "host/picture/film.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/program/progress_callback.hpp"

@@ -1,11 +1,25 @@
 #pragma once
 
 #include "core/pixel/paint_style.hpp"
-#include "host/picture/frame.hpp"
+#include "core/pixel/pixel_format.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace kfast {
+
+/// One full picture as a panel holds it: rows from the top, row_bytes(format, width) each. Without a format
+/// it is that of no panel: 3 bytes a pixel, red, green and blue.
+struct Frame {
+    std::optional<PixelFormat> format = PixelFormat::rgb565;
+    Size size;
+    std::vector<std::byte> pixels;
+};
+
+/// CRC-32 of the pixels, the same on every target for the same scene, time, size and format.
+std::uint32_t hash(const Frame& frame);
 
 /// An image for the PC: 8 bits a channel, rows from the top without gaps.
 struct Picture {
@@ -21,5 +35,35 @@ struct Picture {
 
 /// Every channel v of at most max becomes (v * 255 + max / 2) div max.
 Picture widen(const Frame& frame);
+
+/// What pictures in files have at most.
+inline constexpr std::int64_t longest_picture_side = 16384;
+inline constexpr std::int64_t max_picture_pixels = std::int64_t{1} << 26;
+
+/// The smallest area outside of which both pictures, of one size, are the same; none if they are all over.
+std::optional<Rect> changed_part(const Picture& before, const Picture& after);
+
+/// `area` lies within the picture.
+Picture part(const Picture& picture, const Rect& area);
+
+/// All of one colour. Throws Failure, in the name of `what` ("the sheet"), if that were more than
+/// pictures have.
+Picture plain_picture(std::int64_t width, std::int64_t height, Colour colour, const char* what);
+
+/// Lays `picture` on `sheet`, with room for it, at `x` and `y`.
+void put(const Picture& picture, Picture& sheet, int x, int y);
+
+/// Each pixel as a square of `factor` pixels a side, at least 1. Throws Failure like plain_picture().
+Picture scaled(const Picture& picture, int factor);
+
+/// Red, green and blue of one pixel after the other.
+inline std::vector<std::byte> channel_bytes(const Picture& picture)
+{
+    std::vector<std::byte> bytes;
+    bytes.reserve(3 * picture.pixels.size());
+    for (const Colour pixel : picture.pixels)
+        bytes.insert(bytes.end(), {std::byte{pixel.red}, std::byte{pixel.green}, std::byte{pixel.blue}});
+    return bytes;
+}
 
 }

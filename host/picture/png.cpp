@@ -1,7 +1,7 @@
 #include "host/picture/png.hpp"
 
 #include "host/file/atomic_file.hpp"
-#include "host/picture/channel_bytes.hpp"
+#include "host/picture/picture.hpp"
 #include "host/program/failure.hpp"
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 #include "host/picture/sprite_sheet.hpp"
 
 #include "host/file/atomic_file.hpp"
-#include "host/picture/film_moment.hpp"
-#include "host/picture/picture_part.hpp"
+#include "host/picture/film.hpp"
+#include "host/picture/picture.hpp"
 #include "host/picture/png.hpp"
-#include "host/words/loop_name.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

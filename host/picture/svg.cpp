@@ -1,8 +1,8 @@
 #include "host/picture/svg.hpp"
 
 #include "host/file/atomic_file.hpp"
-#include "host/picture/film_moment.hpp"
-#include "host/picture/svg_colour.hpp"
+#include "host/picture/film.hpp"
+#include "host/picture/svg_attributes.hpp"
 
 #include <cstdio>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/scene_state.hpp"
-#include "host/picture/input_receiver.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/player/word_block.hpp"
 
 #include <cstdint>

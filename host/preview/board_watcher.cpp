@@ -1,10 +1,10 @@
 #include "host/preview/board_watcher.hpp"
 
 #include "host/preview/panes/picture_pane.hpp"
-#include "host/preview/panes/status_line.hpp"
+#include "host/preview/panes/text_box.hpp"
 #include "host/preview/window/window_layout.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <iomanip>

@@ -1,18 +1,68 @@
 #include "host/preview/headless.hpp"
 
 #include "core/bytes/crc32.hpp"
+#include "host/preview/painter/raster_painter.hpp"
+#include "host/preview/window/preview_screen.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 #include "host/text/suggestion.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <thread>
 
 namespace kfast {
+
+namespace {
+
+struct Named {
+    std::string_view name;
+    ScriptStep::Kind kind;
+    bool is_number;
+};
+
+constexpr std::array step_names{
+    Named{"frame=", ScriptStep::Kind::frame, true},
+    Named{"select=", ScriptStep::Kind::select, false},
+    Named{"open=", ScriptStep::Kind::open, false},
+    Named{"wait=", ScriptStep::Kind::wait, true},
+};
+
+constexpr double largest_number = 1e6;
+
+std::optional<double> read_number(std::string_view text)
+{
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    const bool is_number = error == std::errc{} && rest == end;
+    return is_number && number >= 0 && number <= largest_number ? std::optional{number} : std::nullopt;
+}
+
+}
+
+std::optional<ScriptStep> script_step(std::string_view word)
+{
+    if (const auto key = preview_key(word))
+        return ScriptStep{.key = *key};
+    const auto* const found =
+        std::ranges::find_if(step_names, [word](const Named& row) { return word.starts_with(row.name); });
+    if (found == step_names.end())
+        return std::nullopt;
+    const std::string_view value = word.substr(found->name.size());
+    if (!found->is_number)
+        return ScriptStep{.kind = found->kind, .text = std::string{value}};
+    const auto number = read_number(value);
+    return number ? std::optional{ScriptStep{.kind = found->kind, .number = *number}} : std::nullopt;
+}
+
 namespace {
 
 using Seconds = PreviewPlayback::Seconds;
@@ -63,10 +113,10 @@ void select(Viewer& viewer, const std::string& name)
     viewer.select(std::nullopt);
     if (name.empty())
         return;
-    std::vector<std::string_view> names;
+    std::vector<std::string_view> known_names;
     for (const TimeRow& known : table.rows)
-        names.emplace_back(known.name);
-    throw Failure("select=" + name + ": there is no such object: " + suggestion(name, names));
+        known_names.emplace_back(known.name);
+    throw Failure("select=" + name + ": there is no such object: " + suggestion(name, known_names));
 }
 
 void take(const ScriptStep& step, Viewer& viewer, Seconds now, const KeyPress& press)
@@ -131,6 +181,33 @@ void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostrea
     }
     viewer.set_on_event({});
     summary.write(out);
+}
+
+namespace {
+
+void wait_for_report(Viewer& viewer)
+{
+    using namespace std::chrono_literals;
+    while (viewer.view().fit_report && !viewer.fit_report())
+        std::this_thread::sleep_for(10ms);
+}
+
+}
+
+Picture snapshot(Viewer& viewer, std::span<const ScriptStep> script, Size window, std::ostream& out)
+{
+    RasterPainter painter;
+    PreviewScreen screen;
+    const auto draw = [&] {
+        painter.begin(window);
+        screen.draw(painter, viewer, Viewer::Seconds{0});
+    };
+    draw();
+    play_script(viewer, script, out,
+                [&](PreviewKey key, Viewer::Seconds now) { screen.press(key, viewer, now); });
+    wait_for_report(viewer);
+    draw();
+    return painter.drawn();
 }
 
 }

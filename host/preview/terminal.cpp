@@ -1,8 +1,8 @@
 #include "host/preview/terminal.hpp"
 
-#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 #include "host/preview/terminal/borrowed_terminal.hpp"
-#include "host/preview/terminal/terminal_colours.hpp"
+#include "host/preview/terminal/half_blocks.hpp"
 #include "host/preview/terminal/terminal_text.hpp"
 #include "host/preview/viewer/beside.hpp"
 #include "host/program/failure.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/preview/terminal/keyboard.hpp"
+#include "host/preview/terminal/borrowed_terminal.hpp"
 #include "host/preview/viewer/viewer.hpp"
 
 namespace kfast {

@@ -1,6 +1,6 @@
 #include "host/preview/window.hpp"
 
-#include "host/preview/playback/steady_now.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 #include "host/preview/window/preview_screen.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "host/scene/font/font_shelf.hpp"
 #include "host/scene/items/drawing_reader.hpp"
-#include "host/scene/items/group_reader.hpp"
+#include "host/scene/items/item_reader.hpp"
 #include "host/scene/items/input_reader.hpp"
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/items/object_reader.hpp"
@@ -11,9 +11,8 @@
 #include "host/scene/items/symbol_use.hpp"
 #include "host/scene/items/track_reader.hpp"
 #include "host/scene/scene_reader.hpp"
-#include "host/scene/shapes/mesh_reader.hpp"
-#include "host/scene/shapes/shape_reader.hpp"
 #include "host/scene/shapes/wire_reader.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
 #include "host/scene/skeleton/backbone_reader.hpp"
 #include "host/scene/skeleton/bone_reader.hpp"
 #include "host/scene/skeleton/bones_reader.hpp"
@@ -21,11 +20,9 @@
 #include "host/scene/skeleton/reach_reader.hpp"
 #include "host/scene/skeleton/weights_reader.hpp"
 #include "host/scene/values/canvas_reader.hpp"
-#include "host/scene/values/clip_reader.hpp"
-#include "host/scene/values/event_reader.hpp"
+#include "host/scene/values/clips_and_events.hpp"
 #include "host/scene/values/law_reader.hpp"
-#include "host/scene/values/palette_reader.hpp"
-#include "host/scene/values/timed_value.hpp"
+#include "host/scene/values/timed_quantity.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <string_view>
 #include <vector>

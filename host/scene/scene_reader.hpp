@@ -2,7 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/schema/property_rule.hpp"
 
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <iterator>

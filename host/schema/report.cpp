@@ -1,6 +1,6 @@
 #include "host/schema/report.hpp"
 
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <utility>
 

@@ -1,18 +1,35 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
-#include "host/schema/name_table.hpp"
 #include "host/text/diagnostic.hpp"
 #include "host/text/source.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+
+namespace kfast::schema {
+
+/// Names of one kind, each of which may be given once.
+class NameTable {
+public:
+    /// Where the name was given before, if it was.
+    std::optional<SourceSpan> add(std::string_view name, SourceSpan place)
+    {
+        const auto [entry, fresh] = places_.try_emplace(std::string{name}, place);
+        return fresh ? std::nullopt : std::optional{entry->second};
+    }
+    std::size_t size() const { return places_.size(); }
+
+private:
+    std::unordered_map<std::string, SourceSpan> places_;
+};
 
 /// What nodes and their values look like, whatever they mean: rules that readers of scenes, settings, boards
 /// and beams are tables of.
-namespace kfast::schema {
 
 /// What helps where a node has no such property as `property`; `known` are those that it has.
 using PropertyHint = std::string (*)(const kdl::Node& node, const kdl::Property& property,

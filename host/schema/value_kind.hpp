@@ -1,14 +1,19 @@
 #pragma once
 
-#include "host/schema/range.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
 namespace kfast::schema {
+
+/// Both ends are inside.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
 
 enum class ValueType : std::uint8_t {
     none, ///< not told

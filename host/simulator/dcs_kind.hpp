@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/settings/panel_settings.hpp"
-#include "host/simulator/command_model.hpp"
+#include "host/simulator/controller_model.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,8 +1,7 @@
 #include "host/simulator/dcs_model.hpp"
 
 #include "firmware/settings/controller_facts.hpp"
-#include "host/simulator/glass_place.hpp"
-#include "host/simulator/painted_frame.hpp"
+#include "host/simulator/glass.hpp"
 
 #include <array>
 #include <utility>

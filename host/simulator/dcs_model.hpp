@@ -1,8 +1,7 @@
 #pragma once
 
-#include "host/simulator/address_window.hpp"
-#include "host/simulator/colour_memory.hpp"
-#include "host/simulator/command_model.hpp"
+#include "host/simulator/controller_memory.hpp"
+#include "host/simulator/controller_model.hpp"
 #include "host/simulator/dcs_kind.hpp"
 
 namespace kfast {

@@ -3,7 +3,7 @@
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 #include "firmware/link/message.hpp"
-#include "host/picture/frame.hpp"
+#include "host/picture/picture.hpp"
 
 #include <string_view>
 

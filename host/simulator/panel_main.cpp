@@ -11,7 +11,7 @@
 #include "firmware/settings/board_record.hpp"
 #include "host/picture/png.hpp"
 #include "host/program/failure.hpp"
-#include "host/simulator/trace_replay.hpp"
+#include "host/simulator/trace.hpp"
 
 #include <cstdio>
 #include <filesystem>

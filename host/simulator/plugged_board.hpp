@@ -165,4 +165,8 @@ private:
     link::LinkService<ReportSocket, FlashFile> link_service_{parts_.plug, playback_, slots_};
 };
 
+/// Runs a simulated board until its onlooker has seen enough. Throws Failure for what the firmware does wrong
+/// on the wires of the display.
+void run_plugged_board(const PluggedParts& parts);
+
 }

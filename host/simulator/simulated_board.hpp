@@ -4,6 +4,8 @@
 #include "firmware/panel/panel_choice.hpp"
 #include "firmware/panel/panel_reset.hpp"
 #include "firmware/run/board.hpp"
+#include "firmware/settings/panel_settings.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/simulator/simulated_bus.hpp"
 
 #include <array>
@@ -88,5 +90,12 @@ private:
     std::vector<ShownFrame> frames_;
     std::optional<Error> error_;
 };
+
+/// What a board with such a panel shows: the firmware sends to the simulator what differs from the picture
+/// before, and the pictures are decoded from the bytes on its bus. show() throws Failure for a mistake there.
+///
+/// `scene` is a checked scene and must outlive the source.
+std::unique_ptr<FrameSource> open_board_source(std::span<const std::byte> scene,
+                                               const PanelSettings& settings);
 
 }

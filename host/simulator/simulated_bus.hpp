@@ -1,15 +1,29 @@
 #pragma once
 
+#include "firmware/chip/microseconds.hpp"
 #include "host/simulator/controller_model.hpp"
-#include "host/simulator/simulated_clock.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 
 namespace kfast {
+
+/// A clock that stands still until somebody lets time pass.
+class SimulatedClock {
+public:
+    Microseconds now() const { return {static_cast<std::uint32_t>(elapsed_.count())}; }
+    /// Since the power came on; does not wrap.
+    std::chrono::nanoseconds elapsed() const { return elapsed_; }
+
+    void pass(Microseconds time) { elapsed_ += std::chrono::microseconds{time.count}; }
+
+private:
+    std::chrono::microseconds elapsed_{};
+};
 
 /// The wires to a controller model. As with DMA, data are read only while they are on their way, so a buffer
 /// that is drawn into too early spoils the picture. The bytes take no time.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/simulator/address_window.hpp"
-#include "host/simulator/command_model.hpp"
-#include "host/simulator/oled_show.hpp"
+#include "host/simulator/controller_memory.hpp"
+#include "host/simulator/controller_model.hpp"
+#include "host/simulator/glass.hpp"
 
 namespace kfast {
 

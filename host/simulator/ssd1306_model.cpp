@@ -1,7 +1,6 @@
 #include "host/simulator/ssd1306_model.hpp"
 
-#include "host/simulator/glass_place.hpp"
-#include "host/simulator/painted_frame.hpp"
+#include "host/simulator/glass.hpp"
 
 #include <array>
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 namespace kfast {
+
 namespace {
 
 constexpr double units_of_sound = 65536; ///< in one of the field

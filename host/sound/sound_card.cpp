@@ -1,7 +1,7 @@
 #include "host/sound/sound_card.hpp"
 
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <SDL.h>
 #include <bit>

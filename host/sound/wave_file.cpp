@@ -4,14 +4,146 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <sndfile.h>
+#include <stdexcept>
 #include <string>
 
 namespace kfast {
+
+namespace {
+
+constexpr std::size_t slow_tours = 8; ///< share what is left over at the end
+constexpr double milli = 1000;
+
+/// Of the scene's clock.
+double ticks_per_sample(const Timeline& timeline, std::uint32_t rate)
+{
+    return timeline.frame_rate / milli * Time::ticks_per_frame / rate;
+}
+
+class LoopMaker {
+public:
+    LoopMaker(BeamSource& source, const Timeline& timeline, std::uint64_t samples)
+        : source_{source}, timeline_{timeline}, samples_{samples}, step_{source.profile().travel_step}
+    {
+    }
+
+    SoundLoop make(const ProgressCallback& on_progress)
+    {
+        while (add_tour())
+            on_progress(loop_.points.size(), samples_);
+        if (pieces_.empty())
+            throw std::length_error("a picture takes more points than the sound has samples");
+        append(travel(loop_.points.back(), loop_.points.front(), step_));
+        fill();
+        return std::move(loop_);
+    }
+
+private:
+    /// The frame of the scene that is due at the end of what there is.
+    std::int64_t due_frame() const
+    {
+        const auto samples = static_cast<std::int64_t>(loop_.points.size());
+        return samples * timeline_.frame_rate / (std::int64_t{1000} * source_.profile().rate);
+    }
+
+    void show(std::int64_t frame)
+    {
+        if (frame == frame_)
+            return;
+        frame_ = frame;
+        tour_ = tour_of(source_.show(timeline_.shown_at(frame * Time::ticks_per_frame)));
+    }
+
+    /// False if it has no room, with the way back to the beginning behind it.
+    bool add_tour()
+    {
+        show(due_frame());
+        const bool is_first = loop_.points.empty();
+        const Tour way = is_first ? Tour{} : travel(loop_.points.back(), tour_.front(), step_);
+        const Tour back = travel(tour_.back(), is_first ? tour_.front() : loop_.points.front(), step_);
+        if (loop_.points.size() + way.size() + tour_.size() + back.size() > samples_)
+            return false;
+        append(way);
+        pieces_.push_back(loop_.points.size());
+        append(tour_);
+        count_tour();
+        return true;
+    }
+
+    void append(const Tour& tour) { loop_.points.insert(loop_.points.end(), tour.begin(), tour.end()); }
+
+    void count_tour()
+    {
+        ++loop_.tours;
+        loop_.sped_up_tours += source_.report().speed_level > 0;
+        loop_.incomplete_tours += !source_.report().is_complete;
+    }
+
+    /// Makes the last tours slower, all alike.
+    void fill()
+    {
+        const std::size_t slow = std::min(slow_tours, pieces_.size());
+        const std::size_t first = pieces_[pieces_.size() - slow];
+        const Tour last{loop_.points.begin() + static_cast<std::ptrdiff_t>(first), loop_.points.end()};
+        const FieldPoint beginning = loop_.points.front();
+        loop_.points.resize(first);
+        append(stretched(last, beginning, samples_ - first));
+    }
+
+    BeamSource& source_;
+    const Timeline& timeline_;
+    std::uint64_t samples_;
+    std::uint32_t step_;
+    SoundLoop loop_;
+    std::vector<std::size_t> pieces_; ///< where the tours begin
+    std::int64_t frame_ = -1;         ///< that `tour_` shows
+    Tour tour_;
+};
+
+}
+
+std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate)
+{
+    const std::int64_t held = timeline.stretch.loop == Loop::once ? Time::ticks_per_frame : 0;
+    const double ticks = static_cast<double>(timeline.period_ticks() + held);
+    return static_cast<std::uint64_t>(std::llround(ticks / ticks_per_sample(timeline, rate)));
+}
+
+SoundLoop sound_loop(BeamSource& source, const Timeline& timeline, std::uint64_t samples,
+                     const ProgressCallback& on_progress)
+{
+    return LoopMaker{source, timeline, samples}.make(on_progress);
+}
+
+double longest_step(const Tour& tour)
+{
+    double longest = distance(tour.back(), tour.front());
+    for (std::size_t at = 1; at < tour.size(); ++at)
+        longest = std::max(longest, distance(tour[at - 1], tour[at]));
+    return longest;
+}
+
+FieldPoint mean_place(const Tour& tour)
+{
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    for (const FieldPoint point : tour) {
+        x += point.x;
+        y += point.y;
+    }
+    const auto mean = [&tour](std::int64_t sum) {
+        return static_cast<std::int16_t>(
+            std::llround(static_cast<double>(sum) / static_cast<double>(tour.size())));
+    };
+    return {mean(x), mean(y)};
+}
+
 namespace {
 
 constexpr int channels = 2;

@@ -1,7 +1,7 @@
 #include "host/synfig/read_synfig.hpp"
 
 #include "host/synfig/layers/layers_reader.hpp"
-#include "host/synfig/values/time_text.hpp"
+#include "host/synfig/values/constant_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 namespace kfast {
+
 namespace {
 
 bool colour_wanted(const std::ostream& out)

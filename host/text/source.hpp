@@ -34,4 +34,13 @@ LineColumn line_column(std::string_view text, std::size_t offset);
 /// The whole line that holds `offset`, without its end. An offset beyond the end means the end.
 std::string_view line_at(std::string_view text, std::size_t offset);
 
+/// The part of a line that is shown around a place, and the marks that go under it.
+struct Excerpt {
+    std::string line;
+    std::string marks; ///< spaces, then ^~~~ under the place
+};
+
+/// At most about 120 columns of the line that holds `place`; what is cut is replaced by ….
+Excerpt excerpt(std::string_view text, SourceSpan place);
+
 }

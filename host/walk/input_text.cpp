@@ -1,7 +1,7 @@
 #include "host/walk/input_text.hpp"
 
 #include "core/scene/input_view.hpp"
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 #include "host/walk/every_item.hpp"
 
 namespace kfast {

@@ -7,8 +7,7 @@
 #include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 #include "host/compiler/write/header.hpp"
-#include "host/compiler/write/input_writer.hpp"
-#include "host/compiler/write/time_code.hpp"
+#include "host/compiler/write/inputs_and_marks.hpp"
 #include "tests/bytes.hpp"
 
 #include <cstddef>

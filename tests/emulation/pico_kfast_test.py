@@ -14,7 +14,7 @@ from pico import Desk, expect, expect_scene
 from two_scenes import FRAMES, TwoScenes
 
 CHIPS = ("00112233aabbccdd", "fedcba9876543210")
-NO_DEVICE, UNPLUGGED, TIMED_OUT = 3, 5, 9  # of host/program/exit_status.hpp
+NO_DEVICE, UNPLUGGED, TIMED_OUT = 3, 5, 9  # of host/program/failure.hpp
 LONGEST_STAY = 60  # seconds
 
 

@@ -13,7 +13,7 @@ from linux_guest import LinuxGuest, quoted
 from pico import Desk, expect
 from two_scenes import TwoScenes
 
-NO_PERMISSION, UNPLUGGED = 4, 5  # of host/program/exit_status.hpp
+NO_PERMISSION, UNPLUGGED = 4, 5  # of host/program/failure.hpp
 RULE = "70-kfast.rules"
 
 

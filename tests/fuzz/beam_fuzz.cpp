@@ -1,4 +1,3 @@
-#include "host/beam/beam_reader.hpp"
 #include "host/beam/beam_text.hpp"
 #include "tests/fuzz/demand.hpp"
 

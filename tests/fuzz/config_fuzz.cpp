@@ -1,7 +1,6 @@
 #include "core/bytes/crc32.hpp"
 #include "firmware/settings/board_record.hpp"
 #include "firmware/settings/board_rules.hpp"
-#include "host/config/config_reader.hpp"
 #include "host/config/config_text.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/beam/ilda_facts.hpp"
+#include "host/beam/ilda_reader.hpp"
 #include "host/beam/ilda_writer.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -2,11 +2,10 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/upload_message.hpp"
-#include "host/link/live_sending.hpp"
+#include "host/link/live_feed.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/link/scene_upload.hpp"
-#include "host/link/slot_choice.hpp"
-#include "host/link/unplugged.hpp"
+#include "host/link/report_pipe.hpp"
 #include "host/program/failure.hpp"
 #include "tests/fuzz/demand.hpp"
 

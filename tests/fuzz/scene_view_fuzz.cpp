@@ -1,7 +1,7 @@
 #include "core/bytes/crc32.hpp"
 #include "core/player.hpp"
 #include "core/scene/input_view.hpp"
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 #include "host/walk/every_item.hpp"
 #include "tests/fuzz/demand.hpp"
 

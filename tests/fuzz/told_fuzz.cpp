@@ -1,7 +1,7 @@
 #include "core/time/time.hpp"
 #include "firmware/link/input_message.hpp"
 #include "host/commands/live/live_line.hpp"
-#include "host/player/drawing_text.hpp"
+#include "host/player/received_drawing.hpp"
 #include "host/program/failure.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -29,7 +29,7 @@ HIDDEN = {
 
 # Of one library, what several files hide has nothing to do with each other: windows and sound; the outlines of fonts, the
 # letters of a window and its polygons.
-PARTS = {"SDL": 2, "FreeType": 3}
+PARTS = {"SDL": 2, "FreeType": 2}
 
 # Libraries that stay in a few folders, and in what lies in these.
 WITHIN = {"pugixml": (r"pugi(xml|config)\.hpp", {"host/svg", "host/synfig"})}

@@ -96,7 +96,7 @@ class Assemble(unittest.TestCase):
         self.assertIn(f'version: "{VERSION}"\n', (folder / "idf_component.yml").read_text())
 
     def test_examples_for_the_esp32_ask_for_enough_stack(self):
-        bound = int(re.search(r"stack_bound = (\d+);", (ROOT / "host/fit/memory_need.cpp").read_text()).group(1))
+        bound = int(re.search(r"stack_bound = (\d+);", (ROOT / "host/fit/scene_needs.cpp").read_text()).group(1))
         settings = (self.made["esp-idf"] / "examples/robot_eyes/sdkconfig.defaults").read_text()
         told = [int(re.search(r"(?m)^CONFIG_ESP_MAIN_TASK_STACK_SIZE=(\d+)$", settings).group(1))]
         for sketch in (self.made["arduino"] / "examples").rglob("*.ino"):

@@ -3,6 +3,8 @@
 #include "core/pixel/paint_style.hpp"
 #include "core/time/time.hpp"
 #include "host/art/animation/animated.hpp"
+#include "host/art/budget.hpp"
+#include "host/art/geometry/affine.hpp"
 #include "host/art/geometry/drawing.hpp"
 
 #include <cstddef>
@@ -172,5 +174,65 @@ struct Document {
     std::vector<Rig> rigs;
     std::vector<Marker> markers;
 };
+
+/// Calls `visit` with everything that can change, of whatever type of value.
+template <typename Visit>
+void every_animation(Transform& transform, Visit&& visit)
+{
+    for (Channel* channel : {&transform.anchor_x, &transform.anchor_y, &transform.x, &transform.y,
+                             &transform.z, &transform.scale_x, &transform.scale_y, &transform.rotate,
+                             &transform.rotate_x, &transform.rotate_y, &transform.skew, &transform.skew_axis})
+        visit(*channel);
+    if (transform.path)
+        visit(transform.path->share);
+}
+
+template <typename Visit>
+void every_animation(Shape& shape, Visit&& visit)
+{
+    visit(shape.drawing);
+    if (shape.fill) {
+        visit(shape.fill->colour);
+        visit(shape.fill->opacity);
+    }
+    if (shape.stroke) {
+        visit(shape.stroke->colour);
+        visit(shape.stroke->opacity);
+        visit(shape.stroke->width);
+    }
+}
+
+template <typename Visit>
+void every_animation(Bone& bone, Visit&& visit)
+{
+    for (Channel* channel : {&bone.rotation, &bone.x, &bone.y})
+        visit(*channel);
+    if (bone.length)
+        visit(*bone.length);
+}
+
+/// Calls visit(node, place) with each node, the outer ones first; `place` are the names from the outermost
+/// on, as Loss::layer has them. Throws Failure if they lie too deep in each other.
+template <typename Visit>
+void every_node(std::vector<Node>& nodes, Visit&& visit, const std::string& around = {}, int depth = 0)
+{
+    Budget::check_depth(depth);
+    for (Node& node : nodes) {
+        const std::string place = around.empty() ? node.name : around + " / " + node.name;
+        visit(node, place);
+        if (auto* group = std::get_if<Group>(&node.content))
+            every_node(group->nodes, visit, place, depth + 1);
+    }
+}
+
+/// Degrees: what leans by a quarter turn has no width, so nothing leans by more.
+inline constexpr double steepest_skew = 89.9;
+
+/// What the transform does to its content at a time, along its path if it has one; its depth and turns in
+/// space aside.
+Affine matrix_at(const Transform& transform, double time);
+
+/// As matrix_at() without the place and the path: how it turns, grows and leans.
+Affine shape_at(const Transform& transform, double time);
 
 }

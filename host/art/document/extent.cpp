@@ -1,7 +1,7 @@
 #include "host/art/document/extent.hpp"
 
-#include "host/art/animation/ease_part.hpp"
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/animation/ease.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/geometry/affine.hpp"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <numbers>
 
 namespace kfast::art {
+
 namespace {
 
 using scene::Vec2;
@@ -214,6 +215,42 @@ Extent placed(const Extent& content, const Transform& transform)
     const double reach = reach_of(content, transform) * std::max(1.0, scale_factor_of(transform));
     const double depth = turns_in_space(transform) ? reach : 0;
     return {widened(x, reach), widened(y, reach), widened(sum(z, content.z), depth)};
+}
+
+namespace {
+
+bool has_depth(const std::vector<Node>& nodes)
+{
+    return std::ranges::any_of(nodes, [](const Node& node) {
+        const Transform& transform = node.transform;
+        for (const Channel* channel : {&transform.z, &transform.rotate_x, &transform.rotate_y})
+            if (greatest(*channel) > 0)
+                return true;
+        const auto* group = std::get_if<Group>(&node.content);
+        return group && has_depth(group->nodes);
+    });
+}
+
+double farthest(Range range, double from)
+{
+    return std::max(std::abs(range.low - from), std::abs(range.high - from));
+}
+
+}
+
+bool has_depth(const Document& document) { return has_depth(document.nodes); }
+
+double perspective_scale_factor(const Document& document, const Extent& all)
+{
+    if (all.empty() || !has_depth(document))
+        return 1;
+    // As docs/scene-language.md has it: seen camera / (camera - z) times as large, and no nearer than that.
+    constexpr double nearest = 15.0 / 16;
+    const double camera = document.camera.value_or(2 * std::max(document.width, document.height));
+    const double scale_factor = camera / (camera - std::clamp(all.z.high, 0.0, nearest * camera));
+    const double away = std::hypot(farthest(all.x, document.width / 2), farthest(all.y, document.height / 2));
+    // A motion across the canvas grows by that; one towards the viewer moves what is far from the middle.
+    return scale_factor * (1 + away * scale_factor / camera);
 }
 
 }

@@ -50,4 +50,11 @@ double skew_scale_factor(const Transform& transform);
 /// By how much the bones of the rig make distances larger at most; at least 1.
 double play_range_of(const Rig& rig);
 
+/// Whether anything lies in front of the canvas or behind it, or turns out of it.
+bool has_depth(const Document& document);
+
+/// By how much the perspective makes motions larger at most, those towards the viewer included; at least 1.
+/// `all` is what the document has before its perspective.
+double perspective_scale_factor(const Document& document, const Extent& all);
+
 }

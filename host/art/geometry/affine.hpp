@@ -2,9 +2,13 @@
 
 #include "host/geometry/outline.hpp"
 
+#include <numbers>
 #include <optional>
 
 namespace kfast::art {
+
+/// In radians.
+inline constexpr double degree = std::numbers::pi / 180;
 
 /// Maps (x, y) to (a x + c y + e, b x + d y + f), the order of SVG's matrix(a b c d e f).
 struct Affine {

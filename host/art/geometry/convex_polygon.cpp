@@ -1,6 +1,6 @@
 #include "host/art/geometry/convex_polygon.hpp"
 
-#include "host/art/geometry/cubic_piece.hpp"
+#include "host/art/geometry/curves.hpp"
 
 #include <algorithm>
 #include <array>

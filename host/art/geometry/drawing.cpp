@@ -1,8 +1,16 @@
 #include "host/art/geometry/drawing.hpp"
 
+#include "host/art/geometry/curves.hpp"
+
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace kfast::art {
+
 namespace {
 
 using scene::Curve;
@@ -77,6 +85,160 @@ Drawing mixed(const Drawing& from, const Drawing& to, double share)
     Drawing result;
     for (std::size_t i = 0; i < from.outlines.size(); ++i)
         result.outlines.push_back(mixed(from.outlines[i], to.outlines[i], share));
+    return result;
+}
+
+namespace {
+
+Vec2 between(Vec2 a, Vec2 b, double share) { return a + share * (b - a); }
+
+/// The polar form of a cubic Bézier: its control points over other stretches are values of it.
+Vec2 blossom(Vec2 from, const Curve& curve, double r, double s, double t)
+{
+    const Vec2 first = between(from, curve.c1, r);
+    const Vec2 second = between(curve.c1, curve.c2, r);
+    const Vec2 third = between(curve.c2, curve.to, r);
+    return between(between(first, second, s), between(second, third, s), t);
+}
+
+/// From where a curve is at `begin` to `end`, both parameters.
+Curve stretch(Vec2 from, const Curve& curve, double begin, double end)
+{
+    if (!curve.cubic)
+        return scene::line_to(between(from, curve.to, end));
+    return scene::cubic_to(blossom(from, curve, begin, begin, end), blossom(from, curve, begin, end, end),
+                           spot_on(from, curve, end));
+}
+
+/// Where in the pattern one is.
+class Rhythm {
+public:
+    /// Their sum is above 0.
+    Rhythm(std::span<const double> pattern, double offset) : pattern_{pattern}
+    {
+        const double sum = std::accumulate(pattern.begin(), pattern.end(), 0.0);
+        const double period = pattern.size() % 2 == 0 ? sum : 2 * sum;
+        double rest = std::fmod(offset, period);
+        if (rest < 0)
+            rest += period;
+        while (rest >= length() && rest > 0) {
+            rest -= length();
+            step();
+        }
+        left_ = std::max(0.0, length() - rest);
+    }
+
+    bool is_drawn() const { return index_ % 2 == 0; }
+    double left() const { return left_; }
+    void go(double distance) { left_ -= distance; }
+    void next()
+    {
+        step();
+        left_ = length();
+    }
+
+private:
+    double length() const { return pattern_[index_ % pattern_.size()]; }
+    void step() { index_ = (index_ + 1) % (2 * pattern_.size()); }
+
+    std::span<const double> pattern_;
+    std::size_t index_ = 0;
+    double left_ = 0;
+};
+
+/// In pixels. A dash that ends or begins at a corner goes around it by less, as sums of lengths are rounded.
+constexpr double shortest = 1e-6;
+
+/// Of one outline.
+class Dasher {
+public:
+    Dasher(const Rhythm& rhythm, Budget& budget, Drawing& result)
+        : rhythm_{rhythm}, budget_{budget}, result_{result}, first_{result.outlines.size()}
+    {
+    }
+
+    void run(const Outline& outline)
+    {
+        begins_drawn_ = rhythm_.is_drawn();
+        Vec2 from = outline.from;
+        for (const Curve& curve : outline.curves) {
+            cut(from, curve);
+            from = curve.to;
+        }
+        if (outline.closed && scene::distance(from, outline.from) > 0)
+            cut(from, scene::line_to(outline.from));
+        if (!outline.closed || !dash_ || !begins_drawn_)
+            end_dash(nullptr);
+        else if (has_gaps_)
+            end_dash(&result_.outlines[first_]);
+        else
+            result_.outlines.push_back(outline);
+    }
+
+private:
+    void cut(Vec2 from, const Curve& curve)
+    {
+        const double whole = curve_length(from, curve);
+        double gone = 0;
+        while (gone + rhythm_.left() < whole) {
+            const double end = gone + rhythm_.left();
+            draw(from, curve, gone, end);
+            end_dash(nullptr);
+            has_gaps_ = true;
+            gone = end;
+            rhythm_.next();
+        }
+        draw(from, curve, gone, whole);
+        rhythm_.go(whole - gone);
+    }
+
+    void draw(Vec2 from, const Curve& curve, double begin, double end)
+    {
+        if (!rhythm_.is_drawn()) {
+            budget_.take_points(1); // gaps cost time
+            return;
+        }
+        budget_.take_points(2);
+        const double first = curve_parameter(from, curve, begin);
+        if (!dash_)
+            dash_ = Outline{spot_on(from, curve, first), {}, false};
+        if (end - begin > shortest)
+            dash_->curves.push_back(stretch(from, curve, first, curve_parameter(from, curve, end)));
+    }
+
+    /// The dash that goes on with `first`, if there is one, takes its place.
+    void end_dash(Outline* first)
+    {
+        if (!dash_)
+            return;
+        dash_->closed = dash_->curves.empty();
+        if (first != nullptr) {
+            dash_->curves.insert(dash_->curves.end(), first->curves.begin(), first->curves.end());
+            *first = std::move(*dash_);
+        } else {
+            result_.outlines.push_back(std::move(*dash_));
+        }
+        dash_.reset();
+    }
+
+    Rhythm rhythm_;
+    Budget& budget_;
+    Drawing& result_;
+    std::size_t first_;
+    std::optional<Outline> dash_;
+    bool begins_drawn_ = false;
+    bool has_gaps_ = false;
+};
+
+}
+
+Drawing dashed(const Drawing& drawing, std::span<const double> pattern, double offset, Budget& budget)
+{
+    if (std::ranges::none_of(pattern, [](double length) { return length > 0; }))
+        return drawing;
+    Drawing result;
+    for (const Outline& outline : drawing.outlines)
+        Dasher{Rhythm{pattern, offset}, budget, result}.run(outline);
     return result;
 }
 

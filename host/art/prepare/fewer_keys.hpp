@@ -2,7 +2,7 @@
 
 #include "host/art/animation/animated.hpp"
 #include "host/art/document/document.hpp"
-#include "host/art/prepare/corner_arms.hpp"
+#include "host/art/prepare/tween_turn.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "host/art/prepare/merged_outline.hpp"
 
-#include "host/art/geometry/cubic_fit.hpp"
+#include "host/art/geometry/curves.hpp"
 #include "host/art/geometry/drawing.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/art/geometry/cubic_piece.hpp"
+#include "host/art/geometry/curves.hpp"
 #include "host/art/prepare/tween_turn.hpp"
 
 #include <cstddef>

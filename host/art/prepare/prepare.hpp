@@ -2,9 +2,13 @@
 
 #include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
-#include "host/art/prepare/tolerance.hpp"
+
+#include <cstddef>
 
 namespace kfast::art {
+
+/// How far simplification may move anything that is seen, in canvas pixels.
+inline constexpr double default_tolerance = 1.0 / 32;
 
 /// Makes everything larger by a factor above 0: the canvas, places, drawings, widths and bones.
 void scale(Document& document, double factor);
@@ -18,5 +22,13 @@ void crop(Document& document, Losses& losses);
 /// Merges curves, and leaves out points and keys, as long as nothing that is seen moves by more than
 /// `tolerance` at any time; what never changes loses its keys.
 void simplify(Document& document, double tolerance);
+
+/// So many different cubic eases leave room among the 255 pairs of laws that a scene can have, for ways that
+/// are divided when the text is written.
+inline constexpr std::size_t max_eases = 160;
+
+/// If a document has more different eases than that, rounds the controls of all of them to the finest of some
+/// grids on which it has not, and adds a Loss.
+void share_eases(Document& document, Losses& losses);
 
 }

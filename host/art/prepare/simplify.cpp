@@ -1,15 +1,13 @@
 #include "host/art/prepare/prepare.hpp"
 
 #include "host/art/budget.hpp"
-#include "host/art/document/depth_growth.hpp"
-#include "host/art/document/every_animation.hpp"
 #include "host/art/document/extent.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/document/value_distance.hpp"
-#include "host/art/geometry/curve_length.hpp"
-#include "host/art/prepare/corner_arms.hpp"
+#include "host/art/geometry/curves.hpp"
+#include "host/art/prepare/tween_turn.hpp"
 #include "host/art/prepare/fewer_keys.hpp"
 #include "host/art/prepare/merged_curves.hpp"
-#include "host/art/prepare/tween_turn.hpp"
 #include "host/art/prepare/unseen.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "host/commands/devices/device_options.hpp"
 
-#include "host/commands/options/number_range.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/report_options.hpp"
-#include "host/link/device_choice.hpp"
+#include "host/commands/options/output_options.hpp"
+#include "host/link/device_address.hpp"
 #include "host/link/hid_pipe.hpp"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 
 #include "core/playhead.hpp"
 #include "host/commands/text/json_text.hpp"
-#include "host/link/on_each.hpp"
+#include "host/link/remote_device.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <iostream>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "core/beam/beam_profile.hpp"
 #include "host/commands/options/play_options.hpp"
-#include "host/commands/options/sound_options.hpp"
+#include "host/commands/options/beam_options.hpp"
 #include "host/commands/render/picture_options.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "firmware/settings/board_settings.hpp"
 #include "host/compile/scene_file.hpp"
-#include "host/flash/flash_region.hpp"
+#include "host/flash/flash_image.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "host/config/pico_flash.hpp"
 #include "host/program/failure.hpp"
 #include "host/program/interruption.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/link/message.hpp"
-#include "host/commands/flash/flash_place.hpp"
+#include "host/commands/flash/flash_environment.hpp"
 #include "host/commands/flash/flash_plan.hpp"
 
 #include <cstddef>

@@ -3,13 +3,12 @@
 #include "firmware/settings/controller_facts.hpp"
 #include "host/commands/options/fit_options.hpp"
 #include "host/config/config_input.hpp"
-#include "host/config/default_configuration.hpp"
-#include "host/config/firmware_file.hpp"
+#include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/fit_report.hpp"
-#include "host/fit/pico_target.hpp"
+#include "host/fit/board_choice.hpp"
 #include "host/program/failure.hpp"
 
 #include <algorithm>

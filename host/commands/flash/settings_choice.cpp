@@ -2,18 +2,17 @@
 
 #include "firmware/settings/rp2040_pins.hpp"
 #include "host/beam/profile_choice.hpp"
-#include "host/commands/options/offered_names.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
-#include "host/config/default_configuration.hpp"
 #include "host/config/mistake_text.hpp"
-#include "host/config/printed_roles.hpp"
+#include "host/config/panel_labels.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/fit/display.hpp"
 #include "host/fit/other_hardware.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/commands/help/command_words.hpp"
 
-#include "host/commands/options/offered_names.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/option_groups.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "host/commands/help/man_page.hpp"
 
 #include "firmware/version.hpp"
-#include "host/commands/help/schema_json.hpp"
-#include "host/program/exit_status.hpp"
+#include "host/commands/help/schema_lists.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene/values/value_reader.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "host/commands/import/import_report.hpp"
 
 #include "host/commands/text/json_text.hpp"
-#include "host/commands/text/size_text.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/commands/text/quantity_text.hpp"
+#include "host/text/number_text.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 

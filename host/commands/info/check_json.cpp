@@ -1,7 +1,7 @@
 #include "host/commands/info/check_json.hpp"
 
 #include "host/commands/text/json_text.hpp"
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "host/commands/info/fit_memory_print.hpp"
 
 #include "host/fit/wording.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/feature_name.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 
 namespace kfast {
 

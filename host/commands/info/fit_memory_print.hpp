@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/fit/memory_need.hpp"
+#include "host/fit/scene_needs.hpp"
 #include "host/fit/target.hpp"
 
 #include <cstddef>

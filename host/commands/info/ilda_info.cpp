@@ -1,11 +1,11 @@
 #include "host/commands/info/ilda_info.hpp"
 
-#include "host/beam/ilda_facts.hpp"
+#include "host/beam/ilda_reader.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/file/input_file.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
-#include "host/text/rounded_text.hpp"
+#include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -1,11 +1,8 @@
 #include "host/commands/info/track_facts.hpp"
 
-#include "host/text/glyph.hpp"
-#include "host/text/rounded_text.hpp"
-#include "host/words/law_text.hpp"
-#include "host/words/property_name.hpp"
-#include "host/words/property_value.hpp"
-#include "host/words/written_moment.hpp"
+#include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "host/commands/text/glyph_text.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <charconv>
 

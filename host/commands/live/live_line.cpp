@@ -3,9 +3,9 @@
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/message.hpp"
 #include "host/commands/inputs/input_value.hpp"
-#include "host/player/drawing_text.hpp"
+#include "host/player/received_drawing.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>

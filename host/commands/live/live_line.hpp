@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/input_view.hpp"
-#include "host/link/live_values.hpp"
+#include "host/link/live_feed.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,19 +1,100 @@
 #include "host/commands/live/live_stream.hpp"
 
-#include "host/commands/live/line_source.hpp"
-#include "host/commands/live/metronome.hpp"
-#include "host/link/live_sending.hpp"
-#include "host/link/on_each.hpp"
+#include "host/link/live_feed.hpp"
+#include "host/link/remote_device.hpp"
+#include "host/link/report_pipe.hpp"
 #include "host/program/failure.hpp"
 #include "host/program/interruption.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
 #include <deque>
 #include <exception>
+#include <optional>
+#include <poll.h>
 #include <thread>
 #include <unistd.h>
 
 namespace kfast {
+
+namespace {
+
+/// Says when it is time for the next one of things that are to come so many times a second.
+class Metronome {
+public:
+    /// Without a rate it is always time.
+    explicit Metronome(const std::optional<double>& rate)
+        : step_{rate ? std::chrono::duration_cast<Driver::duration>(std::chrono::duration<double>{1 / *rate})
+                     : Driver::duration{0}}
+    {
+    }
+
+    /// Whether it is time, for which it waits so long; then the next one is awaited. What comes too late
+    /// shifts the rest only when it is very late.
+    bool is_due(Milliseconds patience)
+    {
+        const auto now = Driver::now();
+        if (now < due_) {
+            std::this_thread::sleep_until(std::min(due_, now + patience));
+            return false;
+        }
+        constexpr std::chrono::seconds very_late{1};
+        due_ = (now - due_ > very_late ? now : due_) + step_;
+        return true;
+    }
+
+private:
+    using Driver = std::chrono::steady_clock;
+
+    Driver::duration step_;
+    Driver::time_point due_ = Driver::now();
+};
+
+constexpr std::size_t longest_line = 65536;
+
+}
+
+std::optional<std::string> LineSource::next(Milliseconds patience)
+{
+    if (auto line = buffered_line())
+        return line;
+    if (!has_ended_)
+        read_more(patience);
+    return buffered_line();
+}
+
+void LineSource::read_more(Milliseconds patience)
+{
+    pollfd input{descriptor_, POLLIN, 0};
+    if (::poll(&input, 1, static_cast<int>(patience.count())) <= 0)
+        return;
+    std::array<char, 4096> bytes{};
+    const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR && errno != EAGAIN)
+        throw Failure{std::string{"standard input cannot be read: "} + std::strerror(errno)};
+    if (count == 0)
+        has_ended_ = true;
+    if (count > 0)
+        buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+}
+
+std::optional<std::string> LineSource::buffered_line()
+{
+    const std::size_t end = buffer_.find('\n');
+    if (end == std::string::npos && buffer_.size() > longest_line)
+        throw Failure{"line " + std::to_string(number_ + 1) + " is longer than any that means something"};
+    if (end == std::string::npos && (!has_ended_ || buffer_.empty()))
+        return std::nullopt;
+    ++number_;
+    std::string line = buffer_.substr(0, end);
+    buffer_.erase(0, end == std::string::npos ? end : end + 1);
+    return line;
+}
+
 namespace {
 
 /// Values from standard input on their way to devices: a thread reads, and one for each device sends.

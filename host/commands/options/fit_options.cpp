@@ -1,10 +1,8 @@
 #include "host/commands/options/fit_options.hpp"
 
-#include "host/commands/options/named_choice.hpp"
-#include "host/commands/options/number_range.hpp"
-#include "host/commands/options/offered_names.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/text/work_bar.hpp"
+#include "host/commands/text/progress.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"
 #include "host/fit/board_texts.hpp"

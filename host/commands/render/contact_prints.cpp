@@ -1,10 +1,10 @@
 #include "host/commands/render/contact_prints.hpp"
 
-#include "host/picture/picture_part.hpp"
+#include "host/picture/picture.hpp"
 #include "host/preview/playback/key_times.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/rounded_text.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/number_text.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <cmath>

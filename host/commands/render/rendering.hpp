@@ -2,7 +2,6 @@
 
 #include "host/commands/options/play_options.hpp"
 #include "host/commands/render/picture_options.hpp"
-#include "host/commands/render/render_kind.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/program/progress_callback.hpp"
 
@@ -12,6 +11,22 @@
 #include <string>
 
 namespace kfast {
+
+/// What `kfast render` draws of a scene.
+enum class RenderSubject { moment, film, sprite_sheet, contact_sheet };
+
+/// The kinds of files that it makes of that.
+enum class RenderKind { png, svg, folder, apng, gif, mp4, webm };
+
+/// Chosen by the ending of `output`'s name; without one a moment is a PNG, and a film goes into a folder.
+/// Throws CLI::ValidationError, with a hint, for a name that is unknown or of another kind than the subject
+/// can be.
+RenderKind render_kind(const std::filesystem::path& output, RenderSubject subject);
+
+/// What is drawn if nothing is said of it: the film if such a file is an animation or a video, else a moment.
+RenderSubject default_subject(const std::filesystem::path& output);
+
+constexpr bool is_video(RenderKind kind) { return kind == RenderKind::mp4 || kind == RenderKind::webm; }
 
 /// What kfast render was asked for.
 struct RenderOptions {

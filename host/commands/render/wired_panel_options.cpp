@@ -3,11 +3,9 @@
 #include "firmware/settings/controller_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/render/picture_options.hpp"
-#include "host/commands/text/brightness_text.hpp"
-#include "host/commands/text/clock_text.hpp"
-#include "host/commands/text/size_text.hpp"
+#include "host/commands/text/quantity_text.hpp"
 #include "host/config/mistake_text.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 #include "host/wired/spi_device.hpp"
 

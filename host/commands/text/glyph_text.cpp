@@ -1,6 +1,6 @@
 #include "host/commands/text/glyph_text.hpp"
 
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 
 namespace kfast {
 namespace {

@@ -1,14 +1,21 @@
 #include "host/commands/text/summary.hpp"
 
 #include "core/player.hpp"
-#include "host/commands/text/size_text.hpp"
+#include "host/commands/text/quantity_text.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/rounded_text.hpp"
+#include "host/text/number_text.hpp"
 #include "host/walk/every_item.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/words/scene_words.hpp"
 
 namespace kfast {
+
+std::vector<std::string_view> clip_names(const SceneView& scene)
+{
+    std::vector<std::string_view> names;
+    for (ClipCursor clips = scene.clips(); !clips.at_end();)
+        names.push_back(clips.next().name);
+    return names;
+}
 
 std::string length_text(const SceneView& scene)
 {

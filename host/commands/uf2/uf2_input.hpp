@@ -1,13 +1,24 @@
 #pragma once
 
-#include "host/commands/uf2/flash_piece.hpp"
+#include "host/flash/flash_image.hpp"
 #include "host/flash/uf2_contents.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace kfast {
+
+/// Part of what lies in the flash of a Pico.
+struct FlashPiece {
+    FlashRegion region;
+    std::string words; ///< "settings of a display st7789, 240 x 320, on spi"; empty if nobody knows
+};
+
+/// Regions, cut where KFAST begins something else. What is known ends where it does, without the padding
+/// behind it.
+std::vector<FlashPiece> flash_pieces(std::span<const FlashRegion> regions);
 
 /// What a UF2 file has. Throws Failure when it cannot be read, or with all blocks that are wrong and what is
 /// wrong with them.

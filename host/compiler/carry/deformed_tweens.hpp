@@ -1,12 +1,41 @@
 #pragma once
 
-#include "host/compiler/carry/key_tween.hpp"
+#include "core/scene/item_view.hpp"
+#include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
+#include "host/compiler/match/match_by_length.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
+#include "host/text/source.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace kfast {
+
+/// What carries `object`.
+inline Deformer deformer_of(const scene::Object& object)
+{
+    if (object.skin)
+        return Deformer::bones;
+    return object.backbone_keys.empty() ? Deformer::none : Deformer::backbones;
+}
+
+/// A key as it is stored, and the way from it to the next. The last one leads nowhere: its ends are its
+/// drawing twice.
+struct KeyTween {
+    Time time;
+    LawPair laws;
+    MatchedDrawings ends;
+    SourceSpan place; ///< of the key
+};
+
+/// All that an object has.
+struct KeyTweens {
+    std::vector<KeyTween> tweens;
+    /// Of the ways of drawings that backbones carry: 2^unit_bits sixteenths of a pixel stand for a segment.
+    std::uint32_t unit_bits = 0;
+};
 
 /// The ways of `object`, which has backbones, in coordinates relative to these (docs/format.md, "Backbones").
 /// `drawn` are the same ways as they are without backbones. Points that lie in no cell are a warning at their

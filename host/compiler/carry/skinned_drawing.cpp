@@ -3,7 +3,7 @@
 #include "core/math/fixed.hpp"
 #include "core/pose/equalize.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "host/compiler/match/model_reader.hpp"
+#include "host/compiler/match/match_by_count.hpp"
 #include "host/scene/skeleton/binding.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "host/compiler/limits/allowance.hpp"
 
 #include "core/scene/kfb_limits.hpp"
-#include "host/program/slow_scene.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
 #include <string>

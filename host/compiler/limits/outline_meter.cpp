@@ -1,12 +1,116 @@
 #include "host/compiler/limits/outline_meter.hpp"
 
+#include "core/math/affine.hpp"
 #include "core/player.hpp"
 #include "core/scene/kfb_limits.hpp"
+#include "core/scene_walk.hpp"
+#include "host/walk/input_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <set>
 #include <utility>
 
 namespace kfast {
+
+namespace {
+
+constexpr std::size_t corner_bytes =
+    sizeof(raster::Corner) + sizeof(raster::Bend); ///< bytes, while it comes in
+constexpr std::size_t chain_bytes = sizeof(raster::Chain) + sizeof(raster::Bend) + 8;
+
+/// Bytes of an edge over so many rows. A long one is a chain of its own, and may cut off another one
+/// (core/raster/outline/outline_store.hpp).
+std::size_t max_edge_bytes(std::size_t rows)
+{
+    constexpr std::size_t line_bytes = sizeof(raster::Chain) + sizeof(raster::StraightLine);
+    return std::min(chain_bytes + rows * sizeof(raster::Crossing), line_bytes + chain_bytes);
+}
+
+/// Not all edges of a drawing are as bad as they can be: the worst that were tried take more than two thirds.
+std::size_t likely(std::size_t bytes) { return bytes * 4 / 5; }
+
+/// What `points` in `strokes` of them take at most when they are filled: each corner of a polygon is stored,
+/// the first one twice.
+std::size_t max_filled_bytes(std::size_t strokes, std::size_t points, std::size_t rows)
+{
+    return (points + strokes) * corner_bytes + points * max_edge_bytes(rows);
+}
+
+/// The same when a pen follows them.
+///
+/// A join has 3 corners on its inner and 2 on its outer side, and those of a round between them. Besides two
+/// edges along its pieces it has others around it, which reach no further than the pen, and are a chain if
+/// they turn.
+std::size_t max_drawn_bytes(std::size_t strokes, std::size_t points, const Pen& pen, std::size_t rows)
+{
+    const auto round = static_cast<std::size_t>(max_corners_of_half_turn(pen.half_width));
+    const std::size_t of_join = 5 + (pen.join == Join::round ? round : 0);
+    const std::size_t of_cap = pen.cap == Cap::round ? round : pen.cap == Cap::square ? 2 : 0;
+    const std::size_t of_ends = 5 + (pen.cap == Cap::butt ? 0 : 2 * of_cap + 3);
+    const std::size_t joins = points - strokes; // one more than an open stroke has: it may be closed
+    const std::size_t pen_rows =
+        std::min(rows, static_cast<std::size_t>((pen.half_width + pen.half_width).raw() >> 16) + 2);
+    const std::size_t of_turn = chain_bytes + 2 * pen_rows * sizeof(raster::Crossing);
+    return (strokes * of_ends + joins * of_join) * corner_bytes + points * 2 * max_edge_bytes(rows) +
+           (joins + 4 * strokes) * of_turn;
+}
+
+/// Fewer strokes have more joins.
+std::size_t max_drawn_bytes(const DrawingInput& limits, const Pen& pen, std::size_t rows)
+{
+    return std::max(max_drawn_bytes(limits.strokes, limits.points, pen, rows),
+                    max_drawn_bytes(1, limits.points, pen, rows));
+}
+
+/// By what lengths around any point of a drawing grow, at most; in perspective by the most of 17 x 17 places
+/// among those that a point can have.
+std::int32_t max_scale_factor(const Space& space, const Camera& camera)
+{
+    if (space.is_flat())
+        return space.plane.scale_factor();
+    constexpr int farthest = 2048; // px
+    constexpr int step = farthest / 8;
+    const Projection projection{space, camera};
+    std::int32_t max = 0;
+    for (int x = -farthest; x <= farthest; x += step)
+        for (int y = -farthest; y <= farthest; y += step)
+            max = std::max(max, projection.scale_factor_at({Fixed::pixels(x), Fixed::pixels(y)}));
+    return max;
+}
+
+/// Of a drawing from outside.
+std::size_t bytes_of(const SceneOnPanel& on_panel, SceneWalk& walk)
+{
+    const DrawingInput limits = on_panel.scene.input(walk.node().of).drawing;
+    const ObjectStyle& style = walk.node().style;
+    const auto rows = static_cast<std::size_t>(on_panel.scene.canvas().height);
+    std::size_t bytes = 0;
+    if (style.is_filled)
+        bytes += likely(max_filled_bytes(limits.strokes, limits.points, rows));
+    if (style.is_stroked)
+        bytes += likely(max_drawn_bytes(
+            limits,
+            {.half_width = half_width(walk.state().width(), max_scale_factor(walk.space(), on_panel.camera)),
+             .cap = style.cap,
+             .join = style.join},
+            rows));
+    return bytes;
+}
+
+}
+
+std::size_t live_outline_bytes(const SceneOnPanel& on_panel)
+{
+    std::size_t bytes = 0;
+    SceneWalk walk{on_panel, SceneWalk::Opacity::of_leaves};
+    while (walk.next() == SceneWalk::Step::leaf)
+        if (walk.node().kind == ItemKind::live && walk.node().live == InputLeaf::drawing)
+            bytes += bytes_of(on_panel, walk);
+    return bytes;
+}
+
 namespace {
 
 constexpr int band_bits = 0;
@@ -62,6 +166,96 @@ void OutlineMeter::trace()
 {
     pose_bones(on_panel_.scene, on_panel_.prepared, bones_);
     Tracer{on_panel_, picture_}.run();
+}
+
+namespace {
+
+constexpr std::size_t max_samples = 24;
+
+std::size_t glyph_count(const SceneView& scene)
+{
+    std::size_t count = 0;
+    for (InputCursor inputs = scene.inputs(); !inputs.at_end();)
+        if (const InputView input = inputs.next(); input.type == InputType::text)
+            count += input.text.glyphs.count();
+    return count;
+}
+
+/// All glyphs are looked at in each.
+std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments)
+{
+    const std::size_t affordable =
+        std::max<std::size_t>(affordable_pictures(scene) / std::max<std::size_t>(glyph_count(scene), 1), 1);
+    const std::size_t count = std::min({moments.size(), max_samples, affordable});
+    std::vector<MeasuredMoment> samples;
+    for (std::size_t i = 0; i < count; ++i)
+        samples.push_back(moments[i * moments.size() / count]);
+    return samples;
+}
+
+/// The character that needs most at one moment.
+struct Largest {
+    std::uint32_t glyph = 0;
+    std::size_t max = 0;
+    std::size_t min = 0; ///< of any character
+
+    /// Else the text is not seen.
+    bool is_visible() const { return max != min; }
+};
+
+/// The characters that need most at some of the samples, and the one that has most points: the text may be
+/// seen at other moments.
+std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t number, const TextInput& input,
+                                       const std::vector<MeasuredMoment>& samples, OutlineMeter& meter)
+{
+    std::vector<Largest> largest(samples.size());
+    for (std::uint32_t glyph = 0; glyph < input.glyphs.count(); ++glyph) {
+        meter.put_text(number, full_text(input, glyph));
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::size_t bytes = meter.picture_at(samples[i].moment()).outlines.needed_bytes();
+            Largest& at = largest[i];
+            at.min = glyph == 0 ? bytes : std::min(at.min, bytes);
+            if (glyph == 0 || bytes > at.max)
+                at = {glyph, bytes, at.min};
+        }
+    }
+    const std::vector<std::size_t> points = glyph_points(scene, number, input);
+    std::set glyphs{static_cast<std::uint32_t>(std::ranges::max_element(points) - points.begin())};
+    for (const Largest& at : largest)
+        if (at.is_visible())
+            glyphs.insert(at.glyph);
+    return glyphs;
+}
+
+}
+
+void put_texts(const LargestTexts& texts, OutlineMeter& meter)
+{
+    for (std::uint32_t number = 0; number < texts.size(); ++number)
+        meter.put_text(number, texts[number]);
+}
+
+std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
+                                        OutlineMeter& meter)
+{
+    const std::vector<MeasuredMoment> samples = samples_of(scene, moments);
+    std::vector<LargestTexts> sets{LargestTexts(scene.input_count())};
+    InputCursor inputs = scene.inputs();
+    for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
+        const InputView input = inputs.next();
+        if (input.type != InputType::text)
+            continue;
+        const auto glyphs = largest_glyphs(scene, number, input.text, samples, meter);
+        if (glyphs.size() > sets.size())
+            sets.resize(glyphs.size(), sets.back());
+        auto glyph = glyphs.begin();
+        for (LargestTexts& texts : sets) {
+            texts[number] = full_text(input.text, *glyph);
+            if (std::next(glyph) != glyphs.end())
+                ++glyph;
+        }
+    }
+    return sets;
 }
 
 }

@@ -6,14 +6,21 @@
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 #include "core/tracer.hpp"
-#include "host/compiler/limits/live_outlines.hpp"
+#include "host/compiler/limits/measured_moments.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace kfast {
+
+/// Bytes that the outlines of all live drawings that are seen take in an OutlineStore at the moment to which
+/// the scene was moved, whatever comes: those of the worst drawings that were tried
+/// (tests/host/compiler/live_outlines_test.cpp).
+std::size_t live_outline_bytes(const SceneOnPanel& on_panel);
 
 /// Traces the pictures of a scene on a panel that is as wide as its canvas and three times as high, as far as
 /// panels go: one of another shape shows more than the canvas.
@@ -46,5 +53,17 @@ private:
     SceneOnPanel on_panel_;
     raster::Picture picture_;
 };
+
+/// A text for each input of a scene; empty where the input is none.
+using LargestTexts = std::vector<std::string>;
+
+void put_texts(const LargestTexts& texts, OutlineMeter& meter);
+
+/// Texts with which the outlines of a scene are largest: each is as many of one character as the input may
+/// have. Looked for at some of `moments`, of which there is at least one; several of them if different
+/// characters are the largest at different moments. `meter` is one of the scene; its texts are others
+/// afterwards.
+std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
+                                        OutlineMeter& meter);
 
 }

@@ -18,7 +18,7 @@ namespace kfast {
 /// returned.
 ///
 /// Found by playing the scene (host/compiler/limits/measured_moments.hpp), with the worst that live drawings
-/// may be told (host/compiler/limits/live_outlines.hpp), and adding an eighth: a moment between two of these
+/// may be told (host/compiler/limits/outline_meter.hpp), and adding an eighth: a moment between two of these
 /// may halve a few curves once more. A player whose picture finds no room all the same draws it with coarser
 /// curves. That is most of the work of compiling, and `on_progress` is called for it.
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,

@@ -1,7 +1,6 @@
 #include "host/compiler/match/aligned_strokes.hpp"
 
-#include "host/compiler/match/best_shift.hpp"
-#include "host/compiler/match/vertex_pairs.hpp"
+#include "host/compiler/match/corresponding_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <utility>
 
 namespace kfast {
+
 namespace {
 
 /// Less than one and a half degrees of a circle apart.

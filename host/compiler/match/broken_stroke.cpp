@@ -1,6 +1,6 @@
 #include "host/compiler/match/broken_stroke.hpp"
 
-#include "host/compiler/match/best_shift.hpp"
+#include "host/compiler/match/aligned_strokes.hpp"
 
 #include <algorithm>
 #include <cmath>

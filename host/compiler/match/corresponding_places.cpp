@@ -1,11 +1,148 @@
 #include "host/compiler/match/corresponding_places.hpp"
 
-#include "host/compiler/match/vertex_pairs.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace kfast {
+
+namespace {
+
+/// Of the length of the stroke: a vertex that is moved so little along it is not seen to move.
+constexpr double unseen = 0.02;
+/// Only so many vertices on either side of the nearest are tried.
+constexpr std::ptrdiff_t max_tried = 8;
+
+Vec2 unit(Vec2 direction)
+{
+    const double length = std::sqrt(dot(direction, direction));
+    return length > 0 ? (1 / length) * direction : Vec2{};
+}
+
+StrokeCorner corner_between(const MeasuredSegment& before, const MeasuredSegment& after)
+{
+    constexpr double cosine = 0.8660254037844386; // of 30 degrees
+    const Vec2 in = -1.0 * unit(direction(reversed(before)));
+    const Vec2 out = unit(direction(after));
+    return dot(in, out) < cosine ? StrokeCorner{in, out} : StrokeCorner{};
+}
+
+/// 1 for corners that point alike, 0 for those at right angles and for vertices that are none.
+double likeness(const StrokeCorner& a, const StrokeCorner& b)
+{
+    return std::max(0.0, (dot(a.in, b.in) + dot(a.out, b.out)) / 2);
+}
+
+/// Half of the way from the vertex before to the vertex behind. An end has one behind the other end.
+double room(const StrokeVertices& vertices, std::size_t i)
+{
+    const std::vector<double>& at = vertices.positions;
+    const std::size_t last = at.size() - 1;
+    if (i == 0 || i == last)
+        return (at[1] - at[0] + at[last] - at[last - 1]) / 2;
+    return (at[i + 1] - at[i - 1]) / 2;
+}
+
+/// A pair at the end of the best sequence of pairs up to there.
+struct Link {
+    Pair<std::size_t> vertices;
+    std::optional<std::size_t> before; ///< an index of links
+    double sum;
+};
+
+/// The links by vertices of `b`: a binary indexed tree of the best one of each prefix.
+class BestLinks {
+public:
+    explicit BestLinks(std::size_t vertices) : tree_(vertices + 1) {}
+
+    /// The best one that ends before vertex `j`; of equals the first that was added.
+    std::optional<std::size_t> before(std::size_t j, const std::vector<Link>& links) const
+    {
+        std::optional<std::size_t> best;
+        for (std::size_t node = j; node > 0; node &= node - 1)
+            best = better(best, tree_[node], links);
+        return best;
+    }
+
+    void add(std::size_t link, const std::vector<Link>& links)
+    {
+        for (std::size_t node = links[link].vertices.b + 1; node < tree_.size(); node += node & (~node + 1))
+            tree_[node] = better(tree_[node], link, links);
+    }
+
+private:
+    static std::optional<std::size_t> better(std::optional<std::size_t> one, std::optional<std::size_t> other,
+                                             const std::vector<Link>& links)
+    {
+        if (!one || !other)
+            return one ? one : other;
+        if (links[*one].sum == links[*other].sum)
+            return std::min(one, other);
+        return links[*one].sum > links[*other].sum ? one : other;
+    }
+
+    std::vector<std::optional<std::size_t>> tree_;
+};
+
+/// Adds what vertex `i` of `a` may be paired with.
+void add_links(const StrokeVertices& a, std::size_t i, const StrokeVertices& b, const BestLinks& best,
+               std::vector<Link>& links)
+{
+    const auto first = b.positions.begin() + 1;
+    const auto last = b.positions.end() - 1;
+    const auto nearest = std::lower_bound(first, last, a.positions[i]);
+    const auto end = nearest + std::min(max_tried, last - nearest);
+    for (auto at = nearest - std::min(max_tried, nearest - first); at != end; ++at) {
+        const auto j = static_cast<std::size_t>(at - b.positions.begin());
+        const double gain = affinity(a, i, b, j, a.positions[i] - b.positions[j]);
+        if (gain <= 0)
+            continue;
+        const std::optional<std::size_t> before = best.before(j, links);
+        links.push_back({{i, j}, before, gain + (before ? links[*before].sum : 0)});
+    }
+}
+
+}
+
+StrokeVertices vertices_of(const MeasuredStroke& stroke)
+{
+    StrokeVertices vertices{positions_of(stroke), {}};
+    const StrokeCorner ends =
+        is_closed(stroke) ? corner_between(stroke.back(), stroke.front()) : StrokeCorner{};
+    vertices.corners.push_back(ends);
+    for (std::size_t i = 1; i < stroke.size(); ++i)
+        vertices.corners.push_back(corner_between(stroke[i - 1], stroke[i]));
+    vertices.corners.push_back(ends);
+    return vertices;
+}
+
+double affinity(const StrokeVertices& a, std::size_t i, const StrokeVertices& b, std::size_t j, double way)
+{
+    const double alike = likeness(a.corners[i], b.corners[j]);
+    const double reach = std::max(unseen, alike * alike * alike * std::max(room(a, i), room(b, j)));
+    const double tried = std::abs(way) / reach;
+    return tried < 1 ? (1 + alike) * (1 - tried * tried) : 0;
+}
+
+std::vector<Pair<std::size_t>> vertex_pairs(const StrokeVertices& a, const StrokeVertices& b)
+{
+    std::vector<Link> links;
+    BestLinks best{b.positions.size()};
+    for (std::size_t i = 1; i + 1 < a.positions.size(); ++i) {
+        const std::size_t old = links.size();
+        add_links(a, i, b, best, links);
+        for (std::size_t link = old; link < links.size(); ++link)
+            best.add(link, links);
+    }
+    const std::size_t end = b.positions.size() - 1;
+    std::vector<Pair<std::size_t>> pairs{{a.positions.size() - 1, end}};
+    for (auto link = best.before(end, links); link; link = links[*link].before)
+        pairs.push_back(links[*link].vertices);
+    pairs.push_back({0, 0});
+    std::ranges::reverse(pairs);
+    return pairs;
+}
+
 namespace {
 
 /// Moves the vertices of `a` to where they are on `b` if the pairs coincide: then more of them may be seen

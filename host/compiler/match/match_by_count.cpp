@@ -1,12 +1,12 @@
 #include "host/compiler/match/match_by_count.hpp"
 
 #include "core/math/fixed.hpp"
-#include "host/compiler/match/model_reader.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace kfast {
+
 namespace {
 
 /// How many parts the strokes of the drawing with fewer strokes break into.

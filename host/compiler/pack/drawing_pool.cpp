@@ -2,7 +2,6 @@
 
 #include "core/scene/packed_drawing.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
-#include "host/compiler/pack/pack_form.hpp"
 
 namespace kfast {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/compiler/pack/byte_writer.hpp"
-#include "host/compiler/pack/stroke_steps.hpp"
+#include "host/compiler/pack/pack_drawing.hpp"
 #include "host/scene/model.hpp"
 
 #include <cstddef>

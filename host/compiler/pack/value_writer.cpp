@@ -1,7 +1,6 @@
 #include "host/compiler/pack/value_writer.hpp"
 
 #include "core/scene/packed_drawing.hpp"
-#include "host/compiler/pack/bit_writer.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +10,7 @@
 #include <vector>
 
 namespace kfast {
+
 namespace {
 
 /// What is `value` in a unit.

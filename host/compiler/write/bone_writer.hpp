@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/compiler/pack/byte_writer.hpp"
-#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/scene/model.hpp"
 
 #include <vector>

@@ -4,12 +4,12 @@
 #include "core/bytes/crc32.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/scene_view.hpp"
-#include "host/compiler/write/time_code.hpp"
 
 #include <algorithm>
 #include <span>
 
 namespace kfast {
+
 namespace {
 
 constexpr std::size_t checked_at = 8; ///< what the checksum covers

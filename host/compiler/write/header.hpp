@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/time/time.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
 #include "host/scene/model.hpp"
 
@@ -8,6 +9,13 @@
 #include <vector>
 
 namespace kfast {
+
+/// A time of at least 0 as the format has it: twice the frames, or twice the ticks and one.
+constexpr std::uint32_t time_code(Time time)
+{
+    const auto ticks = static_cast<std::uint32_t>(time.ticks);
+    return ticks % Time::ticks_per_frame == 0 ? ticks / Time::ticks_per_frame * 2 : ticks * 2 + 1;
+}
 
 /// Which of the sections that a scene may lack there are.
 struct Sections {

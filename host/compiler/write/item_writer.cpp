@@ -1,19 +1,90 @@
 #include "host/compiler/write/item_writer.hpp"
 
 #include "core/scene/item_view.hpp"
-#include "host/compiler/carry/deformer.hpp"
-#include "host/compiler/write/backbone_writer.hpp"
+#include "core/scene/kfb_limits.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
+#include "host/compiler/match/measured_stroke.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
+#include "host/compiler/pack/drawing_pool.hpp"
+#include "host/compiler/pack/value_writer.hpp"
 #include "host/compiler/write/key_writer.hpp"
-#include "host/compiler/write/label_writer.hpp"
-#include "host/compiler/write/path_writer.hpp"
-#include "host/compiler/write/skinned_keys.hpp"
 #include "host/compiler/write/track_writer.hpp"
+#include "host/scene/model.hpp"
+#include "host/text/diagnostic.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace kfast {
+
 namespace {
+
+/// Appends a label (docs/format.md, "Labels"), whose drawings go to `drawings`.
+void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(label.align));
+    for (const std::int32_t value : {std::int32_t{label.at.x}, std::int32_t{label.at.y}, label.spacing})
+        bytes.signed_varint(value);
+    std::vector<std::int32_t> offsets;
+    std::vector<std::int32_t> advances;
+    for (const scene::LabelGlyph& glyph : label.glyphs) {
+        offsets.push_back(drawings.offset_of(glyph.drawing));
+        advances.push_back(glyph.advance);
+    }
+    bytes.u8(static_cast<std::uint32_t>(label.glyphs.size()));
+    write_values(offsets, bytes);
+    write_values(advances, bytes);
+    std::vector<std::int32_t> kerning;
+    bytes.u16(static_cast<std::uint32_t>(label.kerning.size()));
+    for (const scene::Kerning& pair : label.kerning) {
+        bytes.u16(std::uint32_t{pair.left} << 8 | pair.right);
+        kerning.push_back(pair.by);
+    }
+    if (!kerning.empty())
+        write_values(kerning, bytes);
+}
+
+std::uint32_t stored_length(const MeasuredSegment& segment)
+{
+    return static_cast<std::uint32_t>(std::max(std::lround(segment.length * 16), 1L));
+}
+
+void report_length(const scene::Item& item, Diagnostics& diagnostics)
+{
+    diagnostics.error(item.place, "the path of this item is too long for the format",
+                      "at most " + std::to_string(kfb::max_path / 16) +
+                          " px; draw it shorter or with fewer turns");
+}
+
+/// Appends the path that `item` follows, if it has one (docs/format.md, "Tracks"), its curves divided so that
+/// the core can go along it evenly. One that is too long for the format is an error.
+void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& bytes, Diagnostics& diagnostics)
+{
+    if (!item.path)
+        return;
+    const MeasuredStroke drawn = measured(item.path->stroke);
+    // To make it even might take long.
+    if (length_of(drawn) > kfb::max_path / 16.0)
+        return report_length(item, diagnostics);
+    const scene::Drawing drawing{{rounded(made_even(drawn))}};
+    ByteWriter path;
+    path.u8(item.path->turns ? 1 : 0);
+    path.varint(static_cast<std::uint32_t>(drawings.offset_of(drawing)));
+    std::uint64_t whole = 0;
+    for (const MeasuredSegment& segment : measured(drawing.strokes.front())) {
+        const std::uint32_t length = stored_length(segment);
+        path.varint(length);
+        whole += length;
+    }
+    bytes.block(path.bytes());
+    if (whole > kfb::max_path || point_count(drawing) > kfb::max_drawing_points)
+        report_length(item, diagnostics);
+}
 
 std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
 

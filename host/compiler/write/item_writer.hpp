@@ -2,7 +2,7 @@
 
 #include "host/compiler/pack/byte_writer.hpp"
 #include "host/compiler/pack/drawing_pool.hpp"
-#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "host/compiler/carry/key_tween.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
+#include "host/compiler/pack/byte_writer.hpp"
 #include "host/compiler/pack/drawing_pool.hpp"
-#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 #include "host/scene/model.hpp"
 #include "host/text/diagnostic.hpp"
 
@@ -29,5 +30,14 @@ KeyTweens key_tweens(const scene::Object& object, Diagnostics& diagnostics);
 /// holds is an error at its key, points that backbones do not reach are a warning there.
 PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics);
+
+/// As packed_keys(), of an object that bones carry. A drawing that takes more points at rest than a drawing
+/// holds is an error at its key.
+PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
+                               Diagnostics& diagnostics);
+
+/// Appends what an item says of its backbones (docs/format.md, "Backbones"), of which `object` has some.
+void write_backbones(const scene::Object& object, std::uint32_t unit_bits, LawTable& laws,
+                     DrawingPool& drawings, ByteWriter& bytes);
 
 }

@@ -1,7 +1,7 @@
 #include "host/compiler/write/track_writer.hpp"
 
 #include "host/compiler/pack/value_writer.hpp"
-#include "host/scene/items/pivot.hpp"
+#include "host/scene/items/track_builder.hpp"
 
 #include <algorithm>
 #include <utility>

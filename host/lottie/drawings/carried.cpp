@@ -1,6 +1,6 @@
 #include "host/lottie/drawings/carried.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 
 #include <algorithm>
 #include <array>

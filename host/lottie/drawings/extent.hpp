@@ -41,4 +41,16 @@ std::size_t weight(const art::Transform& transform);
 /// much is computed.
 std::vector<double> sample_times(const art::Span& span, std::size_t weight, art::Budget& budget);
 
+/// How much of something is covered.
+enum class Coverage { all, nothing, part };
+
+Coverage inverted(Coverage coverage);
+
+/// Of a box by a filled drawing.
+Coverage coverage_of(const Box& box, const art::Drawing& drawing);
+
+/// Of a polygon by what nodes paint without being seen through; if `by_luminance`, by white without it.
+Coverage coverage_of(std::span<const scene::Vec2> polygon, std::span<const art::Node> nodes,
+                     const art::Affine& matrix, double time, bool by_luminance);
+
 }

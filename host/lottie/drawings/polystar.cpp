@@ -1,6 +1,6 @@
 #include "host/lottie/drawings/polystar.hpp"
 
-#include "host/geometry/unit_circle.hpp"
+#include "host/geometry/arc.hpp"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #include "host/lottie/layers/composition.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/layer.hpp"
 #include "host/lottie/layers/masks.hpp"
@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace kfast::lottie {
+
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();

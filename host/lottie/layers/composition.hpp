@@ -1,9 +1,47 @@
 #pragma once
 
-#include "host/lottie/layers/animation.hpp"
+#include "host/art/budget.hpp"
+#include "host/art/document/document.hpp"
+#include "host/art/geometry/affine.hpp"
+#include "host/art/losses.hpp"
 #include "host/lottie/shapes/shapes.hpp"
+#include "host/lottie/values/json.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace kfast::lottie {
+
+/// A file while it is read.
+struct Animation {
+    const Json& root;
+    art::Losses& losses;
+    double width = 0;
+    double height = 0;
+    double first = 0; ///< frame of the file at which the scene begins
+    double frames = 1;
+    double frame_rate = 30;
+    std::map<std::string, const Json*> assets = {}; ///< by "id"
+    art::Budget budget = {};
+    std::size_t tags = 0;                      ///< art::Node::parent_tag that are given
+    std::vector<std::string> open = {};        ///< precompositions around what is read now
+    std::set<const Json*> looked_through = {}; ///< layers whose unread members are reported
+};
+
+/// What the transforms of layers around another one do: a list from the innermost outwards.
+struct Around {
+    const Around* outer = nullptr;
+    const art::Transform* transform = nullptr; ///< nothing: how it lies is not known
+};
+
+/// How many points have to be computed to know how they lie.
+std::size_t weight(const Around* around);
+
+/// To the canvas; nothing if that is not known.
+std::optional<art::Affine> canvas_matrix(const Around* around, double time);
 
 /// Layers that see each other: the file's, or those of a precomposition.
 struct Composition {

@@ -1,6 +1,6 @@
 #include "host/lottie/layers/masks.hpp"
 
-#include "host/lottie/drawings/coverage.hpp"
+#include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/window.hpp"
 #include "host/lottie/shapes/transform.hpp"
 

@@ -1,8 +1,8 @@
 #include "host/lottie/layers/matte.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/lottie/drawings/carried.hpp"
-#include "host/lottie/drawings/coverage.hpp"
+#include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/window.hpp"
 #include "host/lottie/shapes/transform.hpp"
 

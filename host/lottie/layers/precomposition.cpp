@@ -4,7 +4,7 @@
 #include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/window.hpp"
 #include "host/lottie/values/time_remap.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "host/lottie/layers/unread.hpp"
 
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <array>
 #include <string_view>

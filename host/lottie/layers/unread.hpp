@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/lottie/layers/animation.hpp"
+#include "host/lottie/layers/composition.hpp"
 #include "host/lottie/shapes/shapes.hpp"
 
 namespace kfast::lottie {

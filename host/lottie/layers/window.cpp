@@ -1,9 +1,9 @@
 #include "host/lottie/layers/window.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/geometry/convex_polygon.hpp"
 #include "host/lottie/drawings/carried.hpp"
-#include "host/lottie/drawings/coverage.hpp"
+#include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/shapes/transform.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "host/art/document/document.hpp"
 #include "host/lottie/drawings/moving_drawing.hpp"
-#include "host/lottie/layers/animation.hpp"
+#include "host/lottie/layers/composition.hpp"
 
 #include <vector>
 

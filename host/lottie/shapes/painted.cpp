@@ -1,5 +1,5 @@
 #include "host/lottie/drawings/carried.hpp"
-#include "host/lottie/shapes/shape_tree.hpp"
+#include "host/lottie/shapes/shapes.hpp"
 
 #include <algorithm>
 #include <optional>

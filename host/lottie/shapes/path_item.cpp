@@ -1,12 +1,12 @@
 #include "host/lottie/shapes/path_item.hpp"
 
 #include "host/art/animation/baked_drawing.hpp"
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/geometry/shape.hpp"
 #include "host/lottie/drawings/carried.hpp"
 #include "host/lottie/drawings/polystar.hpp"
 #include "host/lottie/shapes/transform.hpp"
-#include "host/lottie/values/member.hpp"
+#include "host/lottie/values/json.hpp"
 
 #include <algorithm>
 #include <array>

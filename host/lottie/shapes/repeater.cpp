@@ -1,7 +1,7 @@
 #include "host/lottie/shapes/repeater.hpp"
 
-#include "host/lottie/values/combined_channel.hpp"
-#include "host/lottie/values/member.hpp"
+#include "host/lottie/values/channel.hpp"
+#include "host/lottie/values/json.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "host/lottie/shapes/shape_tree.hpp"
 #include "host/lottie/shapes/shapes.hpp"
 
 namespace kfast::lottie {

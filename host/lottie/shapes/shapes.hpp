@@ -1,9 +1,14 @@
 #pragma once
 
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
+#include "host/lottie/drawings/dashes.hpp"
+#include "host/lottie/drawings/moving_drawing.hpp"
 #include "host/lottie/values/channel.hpp"
 
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace kfast::lottie {
@@ -22,5 +27,42 @@ std::vector<art::Node> read_shapes(const Json& shapes, const Reading& reading);
 
 /// "ks" of a layer or "tr" of a group, without its opacity "o".
 art::Transform read_transform(const Json& transform, const Reading& reading);
+
+/// A path of a shape layer, with what modifiers have made of it.
+struct PathItem {
+    std::string name;
+    MovingDrawing drawing;
+    /// The same picture as the scene language draws it, which begins elsewhere: for what is not cut.
+    std::optional<MovingDrawing> plain;
+    int modifiers = 0; ///< that it has gone through
+};
+
+/// Paints all paths before it in its list, and in the groups before it, as one.
+struct StyleItem {
+    std::string name;
+    std::optional<art::Fill> fill; ///< or
+    std::optional<art::StrokeStyle> stroke;
+    Dashes dashes; ///< of the line
+};
+
+struct ShapeItem;
+
+struct GroupItem {
+    std::string name;
+    art::Transform transform;
+    art::Channel opacity = {1};
+    std::vector<art::Span> shown = {{}};
+    std::vector<ShapeItem> items;
+};
+
+struct ShapeItem {
+    std::variant<PathItem, StyleItem, GroupItem> content;
+};
+
+/// All paths of a list and of its groups, in their order.
+std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items);
+
+/// What a list draws, the lowest first; the first item of the list lies on top.
+std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading);
 
 }

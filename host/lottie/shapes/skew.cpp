@@ -1,6 +1,5 @@
 #include "host/art/animation/baked_drawing.hpp"
 #include "host/art/geometry/affine.hpp"
-#include "host/art/geometry/degree.hpp"
 #include "host/lottie/shapes/transform.hpp"
 
 #include <cmath>

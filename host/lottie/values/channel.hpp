@@ -5,6 +5,8 @@
 #include "host/art/document/document.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 
 namespace kfast::lottie {
@@ -31,5 +33,17 @@ art::Animated<art::Rgb> read_colour(const Json& owner, const char* name, const L
 /// A property "ks" of a path: "v", "i", "o", "c".
 art::Animated<art::Drawing> read_path(const Json& owner, const char* name, const LayerTime& time,
                                       art::Budget& budget);
+
+/// How a number depends on the others that it is computed from.
+enum class Dependence {
+    linear, ///< on each of them
+    curved,
+};
+
+/// A number that is computed from others, exactly where only one of them changes and it depends on that one
+/// by a straight line; otherwise baked, within `tolerance`.
+art::Channel combined(const std::function<double(double)>& value_at,
+                      std::initializer_list<const art::Channel*> channels, Dependence dependence,
+                      double tolerance, art::Budget& budget);
 
 }

@@ -1,7 +1,7 @@
 #include "host/lottie/values/time_remap.hpp"
 
-#include "host/art/animation/ease_part.hpp"
-#include "host/art/document/every_animation.hpp"
+#include "host/art/animation/ease.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/document/value_distance.hpp"
 #include "host/lottie/values/ways.hpp"
 

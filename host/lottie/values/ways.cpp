@@ -1,6 +1,6 @@
 #include "host/lottie/values/ways.hpp"
 
-#include "host/lottie/values/member.hpp"
+#include "host/lottie/values/json.hpp"
 
 namespace kfast::lottie {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/art/animation/animated.hpp"
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
 #include "host/art/budget.hpp"
 #include "host/lottie/values/channel.hpp"
 

@@ -1,9 +1,9 @@
 #include "host/preview/board/board_changes.hpp"
 
 #include "host/fit/frame_cost.hpp"
-#include "host/fit/memory_need.hpp"
-#include "host/fit/op_log.hpp"
-#include "host/text/counted.hpp"
+#include "host/fit/scene_needs.hpp"
+#include "host/fit/op_counts.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace kfast {
+
 namespace {
 
 constexpr int gap = 3;         // between two columns

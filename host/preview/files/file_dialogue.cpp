@@ -19,6 +19,7 @@
 extern char** environ; // NOLINT: POSIX declares it nowhere
 
 namespace kfast {
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,19 +1,35 @@
 #pragma once
 
-#include "host/preview/overlay/label_places.hpp"
 #include "host/preview/overlay/overlay.hpp"
 #include "host/preview/overlay/posed_scene.hpp"
-#include "host/preview/overlay/seen_bones.hpp"
 #include "host/preview/overlay/seen_strokes.hpp"
-#include "host/preview/overlay/viewport.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace kfast {
+
+/// Where labels stand on a picture, so that none lies on another.
+class LabelPlaces {
+public:
+    static constexpr std::size_t max = 400;
+
+    /// `scale` is how many pixels of a window a pixel of the panel takes.
+    explicit LabelPlaces(double scale) : scale_{scale} {}
+
+    /// Takes the room for a text at `at`, if it is free and there are not too many.
+    bool take(PanelSpot at, const std::string& text);
+
+private:
+    double scale_;
+    std::size_t count_ = 0;
+    std::set<std::pair<int, int>> cells_; ///< of the size of a letter, that are taken
+};
 
 /// Puts what is seen of a scene into an overlay, leaf by leaf. No more lines and dots than a person could
 /// tell apart: what is beyond is left out.

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/picture/input_receiver.hpp"
+#include "host/picture/frame_source.hpp"
 #include "host/preview/controls/view_options.hpp"
 #include "host/preview/overlay/overlay.hpp"
-#include "host/preview/overlay/viewport.hpp"
+#include "host/preview/overlay/posed_scene.hpp"
 #include "host/preview/playback/item_facts.hpp"
 
 #include <cstddef>

@@ -1,12 +1,34 @@
 #pragma once
 
+#include "core/player.hpp"
+#include "core/raster/layer_row.hpp"
 #include "host/preview/board/standalone_player.hpp"
-#include "host/preview/overlay/layer_probe.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace kfast {
+
+/// Tells what single layers of a picture cover, whatever lies on them.
+class LayerProbe {
+public:
+    /// `player` must outlive it. It has computed a picture and draws nothing: what is done here would be in
+    /// its way.
+    explicit LayerProbe(Player& player) : player_{player} {}
+
+    /// How much of a pixel of the panel the step of this number covers: 0 … raster::full_coverage.
+    int coverage(std::size_t step, int x, int y);
+    /// Whether it covers anything of the panel.
+    bool covers_any(std::size_t step);
+
+private:
+    raster::Band first_band(raster::OutlineStore& outlines) const;
+    int max_coverage(const raster::Band& band, std::size_t step, int row, int begin, int end);
+
+    Player& player_;
+    raster::CoverageSums sums_;
+};
 
 /// Tells which item paints a pixel.
 class PaintedItems final : public StandalonePlayer {

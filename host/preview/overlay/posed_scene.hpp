@@ -1,11 +1,16 @@
 #pragma once
 
+#include "core/math/affine.hpp"
+#include "core/math/point.hpp"
 #include "core/math/projection.hpp"
 #include "core/pose/scene_state.hpp"
 #include "core/prepared/prepared_scene.hpp"
 #include "core/scene/item_view.hpp"
+#include "core/scene/scene_view.hpp"
+#include "host/fit/target.hpp"
 #include "host/player/word_block.hpp"
-#include "host/walk/stored_items.hpp"
+#include "host/preview/overlay/overlay.hpp"
+#include "host/walk/every_item.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,8 +18,25 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace kfast {
+
+/// Where a preview shows a scene.
+struct Viewport {
+    SceneView scene;
+    Size panel;
+    Fit fit = Fit::contain;
+    bool is_beam = false; ///< the panel is the screen of a vector display
+    /// That sends what has changed to such a panel; none: previewed_board().
+    std::optional<fit::Target> board = {};
+
+    /// The panel on which the core poses the scene: for a beam one that stands for its field.
+    Size posed_panel() const;
+    Fit posed_fit() const { return is_beam ? Fit::contain : fit; }
+    /// From there to where it is seen.
+    PanelSpot spot(Point posed) const;
+};
 
 /// An object, a text or a plot as it is seen at a moment. All is valid during the visit alone.
 struct SeenLeaf {
@@ -53,5 +75,25 @@ public:
 private:
     std::map<const std::byte*, StoredItem> items_;
 };
+
+/// A bone where it is seen, on the panel.
+struct SeenBone {
+    Point origin;
+    Point tip;
+};
+
+/// The bones of a skeleton, the way they are posed, seen through `space`. `skeleton` is its number in the
+/// scene, which was visited.
+std::vector<SeenBone> seen_bones(const PosedScene& scene, std::uint32_t skeleton, const Space& space);
+
+/// A backbone and its outline where they are seen, on the panel: as many points of each, node by node.
+struct SeenBackbone {
+    std::vector<Point> nodes;
+    std::vector<Point> left;
+    std::vector<Point> right;
+};
+
+/// The backbones that carry an object at this moment; none if none do. `scene` visits the leaf just now.
+std::vector<SeenBackbone> seen_backbones(const PosedScene& scene, const SeenLeaf& leaf);
 
 }

@@ -3,7 +3,7 @@
 #include "core/time/time.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/board/standalone_player.hpp"
-#include "host/preview/overlay/layer_probe.hpp"
+#include "host/preview/overlay/painted_items.hpp"
 #include "host/preview/overlay/posed_scene.hpp"
 #include "host/preview/playback/key_times.hpp"
 #include "host/walk/every_item.hpp"

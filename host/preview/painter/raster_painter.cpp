@@ -1,12 +1,134 @@
 #include "host/preview/painter/raster_painter.hpp"
 
 #include "core/bytes/code_point.hpp"
-#include "host/preview/painter/area.hpp"
+#include "host/fonts/dejavu_faces.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/scaled_picture.hpp"
+#include "host/program/failure.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <freetype/freetype.h>
+#include <freetype/ftoutln.h>
+#include <map>
+#include <vector>
 
 namespace kfast {
+
+namespace {
+
+constexpr std::size_t max_corners = 1000; // FreeType counts them in short
+
+/// FreeType has y up and counts in 1/64 pixel.
+FT_Vector vector_of(WindowSpot spot)
+{
+    constexpr double farthest = 16000;
+    const auto coordinate = [=](double value) {
+        return static_cast<FT_Pos>(std::llround(std::clamp(value, -farthest, farthest) * 64));
+    };
+    return {coordinate(spot.x), -coordinate(spot.y)};
+}
+
+void take_spans(int y, int count, const FT_Span* spans, void* user)
+{
+    const auto& cover = *static_cast<const PolygonRaster::Cover*>(user);
+    for (const FT_Span& span : std::span{spans, static_cast<std::size_t>(count)})
+        cover(span.x, -1 - y, span.len, span.coverage);
+}
+
+}
+
+struct PolygonRaster::Library {
+    Library()
+    {
+        if (FT_Init_FreeType(&freetype) != 0)
+            throw Failure("FreeType cannot be started");
+    }
+    ~Library() { FT_Done_FreeType(freetype); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+
+    FT_Library freetype = nullptr;
+};
+
+PolygonRaster::PolygonRaster() : library_{std::make_unique<Library>()} {}
+PolygonRaster::~PolygonRaster() = default;
+
+void PolygonRaster::trace(std::span<const WindowSpot> corners, Rect seen, const Cover& cover) const
+{
+    if (corners.size() < 3 || corners.size() > max_corners || is_empty(seen))
+        return;
+    std::vector<FT_Vector> points(corners.size());
+    std::transform(corners.begin(), corners.end(), points.begin(), vector_of);
+    std::vector<char> tags(corners.size(), FT_CURVE_TAG_ON);
+    auto last = static_cast<short>(corners.size() - 1);
+    FT_Outline outline{1, static_cast<short>(corners.size()), points.data(), tags.data(), &last, 0};
+    FT_Raster_Params how{};
+    how.flags = FT_RASTER_FLAG_AA | FT_RASTER_FLAG_DIRECT | FT_RASTER_FLAG_CLIP;
+    how.gray_spans = take_spans;
+    how.user = const_cast<Cover*>(&cover);
+    how.clip_box = {seen.x, -bottom_of(seen), right_of(seen), -seen.y};
+    FT_Outline_Render(library_->freetype, &outline, &how);
+}
+
+namespace {
+
+constexpr FT_UInt em = 12; // pixels: letters are then as wide as Painter::letter
+constexpr int baseline = 12;
+
+LetterMask mask_of(const FT_GlyphSlotRec& glyph)
+{
+    const FT_Bitmap& bitmap = glyph.bitmap;
+    const int width = static_cast<int>(bitmap.width);
+    const int height = static_cast<int>(bitmap.rows);
+    LetterMask mask{{glyph.bitmap_left, baseline - glyph.bitmap_top, width, height}, {}};
+    for (int y = 0; y < height; ++y) {
+        const unsigned char* row = bitmap.buffer + std::ptrdiff_t{y} * bitmap.pitch;
+        mask.cover.insert(mask.cover.end(), row, row + width);
+    }
+    return mask;
+}
+
+}
+
+/// Owns FreeType's objects.
+class ScreenFont::Face {
+public:
+    Face()
+    {
+        const auto bytes = dejavu_sans_mono();
+        if (FT_Init_FreeType(&library_) != 0)
+            throw Failure("FreeType cannot be started");
+        if (FT_New_Memory_Face(library_, reinterpret_cast<const FT_Byte*>(bytes.data()),
+                               static_cast<FT_Long>(bytes.size()), 0, &face_) != 0 ||
+            FT_Set_Pixel_Sizes(face_, 0, em) != 0) {
+            FT_Done_FreeType(library_);
+            throw Failure("FreeType cannot read the font of the window");
+        }
+    }
+    ~Face() { FT_Done_FreeType(library_); } // with the face
+    Face(const Face&) = delete;
+    Face& operator=(const Face&) = delete;
+
+    const LetterMask& letter(char32_t character)
+    {
+        const auto [place, is_new] = letters_.try_emplace(character);
+        if (is_new && FT_Load_Char(face_, character, FT_LOAD_RENDER) == 0)
+            place->second = mask_of(*face_->glyph);
+        return place->second;
+    }
+
+private:
+    FT_Library library_ = nullptr;
+    FT_Face face_ = nullptr;
+    std::map<char32_t, LetterMask> letters_;
+};
+
+ScreenFont::ScreenFont() : face_{std::make_unique<Face>()} {}
+ScreenFont::~ScreenFont() = default;
+
+const LetterMask& ScreenFont::letter(char32_t character) { return face_->letter(character); }
+
 namespace {
 
 std::uint8_t mixed(int below, int above, int share)

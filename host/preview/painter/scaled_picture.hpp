@@ -1,10 +1,15 @@
 #pragma once
 
+#include "core/math/point.hpp"
 #include "host/picture/picture.hpp"
 
 #include <vector>
 
 namespace kfast {
+
+/// Where a picture stands in a larger or smaller space so that all of it is seen: centred, magnified by the
+/// largest whole number that fits, or shrunk in proportion.
+Rect placement(Size picture, Size space);
 
 /// A picture laid on a rectangle of a window: enlarged with hard pixels, shrunk to the mean of the pixels
 /// that a pixel of the window holds.

@@ -1,9 +1,41 @@
 #pragma once
 
 #include "host/preview/overlay/overlay.hpp"
-#include "host/preview/panes/picture_place.hpp"
+#include "host/preview/painter/painter.hpp"
 
 namespace kfast {
+
+/// Where the picture of a panel lies in a pane of the window, and how large; the pane may show a part of it.
+class PicturePlace {
+public:
+    /// `zoom` window pixels for each pixel of the panel; 0: as large as fits whole, with `margin` pixels of
+    /// the window left on each side. What is smaller than the pane is centred; the rest is moved by `pan`
+    /// out of the middle, but not away from the pane.
+    PicturePlace(Size panel, Rect pane, int zoom, WindowSpot pan = {}, int margin = 0);
+
+    Rect rect() const { return rect_; }
+    Rect pane() const { return pane_; }
+    /// Window pixels for a pixel of the panel; below 1 where it is shrunk.
+    double scale() const;
+    /// As much of the way out of the middle as was possible.
+    WindowSpot pan() const { return pan_; }
+
+    WindowSpot window_spot(PanelSpot spot) const;
+    PanelSpot panel_spot(WindowSpot spot) const;
+
+    /// The next larger or smaller one that is worth having, at least 1; 0 if that shows the picture as large
+    /// as fits.
+    int next_zoom(bool larger) const;
+    /// The way out of the middle with which, at another zoom of at least 1, the place under `spot` stays.
+    WindowSpot pan_for(int zoom, WindowSpot spot) const;
+
+private:
+    Size panel_;
+    Rect pane_;
+    Rect rect_;
+    double fitting_scale_;
+    WindowSpot pan_;
+};
 
 /// How a picture is shown besides its pixels.
 struct PictureLook {

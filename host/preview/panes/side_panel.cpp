@@ -1,7 +1,6 @@
 #include "host/preview/panes/side_panel.hpp"
 
-#include "host/preview/painter/area.hpp"
-#include "host/preview/painter/shapes.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/text_columns.hpp"
 
 #include <algorithm>

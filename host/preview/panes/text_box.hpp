@@ -5,8 +5,13 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace kfast {
+
+/// Fills the pane with one line of text, which is cut where it is too long. `hint` stands at the right edge,
+/// if there is room for both.
+void draw_status(Painter& painter, Rect pane, std::string_view text, std::string_view hint = {});
 
 /// How large a page of help there is room for.
 Size help_cells(Rect room);

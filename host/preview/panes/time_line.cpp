@@ -1,6 +1,5 @@
 #include "host/preview/panes/time_line.hpp"
 
-#include "host/preview/painter/area.hpp"
 #include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/text_columns.hpp"
 

@@ -1,11 +1,10 @@
 #include "host/preview/panes/time_line_pane.hpp"
 
-#include "host/preview/painter/area.hpp"
-#include "host/preview/painter/shapes.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/text_columns.hpp"
 #include "host/preview/panes/theme.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <array>

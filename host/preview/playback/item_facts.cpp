@@ -3,12 +3,9 @@
 #include "core/pose/item_state.hpp"
 #include "core/time/track.hpp"
 #include "host/preview/playback/key_times.hpp"
-#include "host/text/glyph.hpp"
-#include "host/text/rounded_text.hpp"
-#include "host/words/law_text.hpp"
-#include "host/words/property_name.hpp"
-#include "host/words/property_value.hpp"
-#include "host/words/written_moment.hpp"
+#include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 #include "host/preview/playback/key_times.hpp"
 
 #include "host/walk/every_item.hpp"
-#include "host/walk/skeleton_of.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "host/preview/playback/preview_playback.hpp"
 
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace kfast {
+
 namespace {
 
 constexpr std::int64_t frame_ticks = Time::ticks_per_frame;

@@ -131,4 +131,7 @@ void apply_playback(FrameSource& source, const PreviewPlayback& playback);
 /// The picture where `playback` stands.
 const Frame& show(FrameSource& source, const PreviewPlayback& playback);
 
+/// The clock of a preview that somebody watches.
+inline PreviewPlayback::Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
 }

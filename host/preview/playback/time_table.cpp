@@ -2,7 +2,7 @@
 
 #include "host/preview/playback/item_facts.hpp"
 #include "host/preview/playback/key_times.hpp"
-#include "host/walk/stored_items.hpp"
+#include "host/walk/every_item.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,14 +2,44 @@
 
 #include "core/math/point.hpp"
 #include "host/picture/picture.hpp"
-#include "host/preview/terminal/keyboard.hpp"
+#include "host/preview/controls/preview_key.hpp"
+#include "host/preview/playback/preview_playback.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <termios.h>
+#include <vector>
 
 namespace kfast {
+
+/// The keys that a terminal means by `bytes`; what is none of a preview's keys is passed over. An escape at
+/// the very end is the key of that name.
+std::vector<PreviewKey> typed_keys(std::string_view bytes);
+
+/// Lets single keys be read from standard input while it lives, where that is a terminal which is ours to
+/// change: a job in the background would be stopped for it.
+class Keyboard {
+public:
+    Keyboard();
+    ~Keyboard();
+    Keyboard(const Keyboard&) = delete;
+    Keyboard& operator=(const Keyboard&) = delete;
+
+    /// For a time in which the program is stopped: the terminal is as it was.
+    void give_back();
+    void take();
+
+    /// Whether keys can be pressed.
+    bool works() const { return works_; }
+    /// Those pressed since the last call; waits for some, but not longer than `patience`.
+    std::vector<PreviewKey> pressed(PreviewPlayback::Seconds patience);
+
+private:
+    termios before_{};
+    bool works_;
+};
 
 /// The terminal that standard output is, to draw pictures on: its cursor is hidden while this lives. Signals
 /// that end or stop the program are only remembered, so that the terminal can be left as it was before they

@@ -1,10 +1,10 @@
 #include "host/preview/terminal/terminal_text.hpp"
 
-#include "host/preview/painter/placement.hpp"
+#include "host/preview/painter/scaled_picture.hpp"
 #include "host/preview/painter/text_columns.hpp"
 #include "host/preview/terminal/half_blocks.hpp"
 #include "host/preview/viewer/beside.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cstddef>

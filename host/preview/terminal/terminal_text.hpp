@@ -1,8 +1,8 @@
 #pragma once
 
 #include "host/picture/picture.hpp"
-#include "host/preview/controls/open_help.hpp"
-#include "host/preview/terminal/terminal_colours.hpp"
+#include "host/preview/controls/help_pages.hpp"
+#include "host/preview/terminal/half_blocks.hpp"
 
 #include <span>
 #include <string>

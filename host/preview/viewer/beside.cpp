@@ -1,11 +1,11 @@
 #include "host/preview/viewer/beside.hpp"
 
-#include "host/picture/picture_part.hpp"
+#include "host/picture/picture.hpp"
 #include "host/preview/files/panel_pictures.hpp"
-#include "host/preview/painter/area.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/text_columns.hpp"
 #include "host/preview/panes/theme.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -4,17 +4,27 @@
 #include "host/compile/scene_file.hpp"
 #include "host/fit/target.hpp"
 #include "host/picture/frame_source.hpp"
+#include "host/preview/board/board_changes.hpp"
+#include "host/preview/board/fit_check.hpp"
 #include "host/preview/files/file_watch.hpp"
 #include "host/preview/files/panel_pictures.hpp"
+#include "host/preview/overlay/onion_skin.hpp"
+#include "host/preview/overlay/overlay_source.hpp"
 #include "host/preview/playback/playback_setup.hpp"
+#include "host/preview/playback/preview_playback.hpp"
+#include "host/preview/playback/time_table.hpp"
 #include "host/program/failure.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace kfast {
 
@@ -56,5 +66,93 @@ private:
 
 /// Opens a file as the options of the command say. Throws OpeningFailed.
 using Opener = std::function<std::unique_ptr<OpenedScene>(const std::filesystem::path& file)>;
+
+/// What is shown of a scene besides its pictures.
+class SceneLayers {
+public:
+    /// `scene` must outlive it.
+    explicit SceneLayers(OpenedScene& scene);
+
+    const TimeTable& table() const { return table_; }
+    /// With the quantities of what is unfolded. Valid until the next call.
+    const TimeTable& table(const std::set<std::size_t>& unfolded);
+    /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
+    const Overlay& overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale);
+    std::optional<std::size_t> item_at(const PreviewPlayback& playback, PanelSpot spot);
+    ItemFacts facts(const PreviewPlayback& playback, std::size_t item);
+    /// With the key frames before and after it within what is played: those of the selected item and of what
+    /// lies in it, or of all. Likewise.
+    const Picture& onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected);
+    /// What the board takes for the picture of a moment after the one that was asked for before, with the
+    /// inputs of `playback`. Not on a beam.
+    double board_seconds(const PreviewPlayback& playback, Time moment);
+    /// Its name.
+    std::string board_name() const { return board().name; }
+    /// Nothing while it is being made, which the first call begins.
+    std::optional<std::span<const FitLine>> fit_report();
+
+private:
+    Viewport viewport() const;
+    fit::Target board() const;
+    std::vector<Time> skin_keys(PlayRange played, std::optional<std::size_t> selected) const;
+
+    OpenedScene& scene_;
+    TimeTable table_;
+    TimeTable unfolded_table_;
+    std::set<std::size_t> unfolded_;
+    std::unique_ptr<BoardPace> pace_;
+    OverlaySource overlays_;
+    OnionSkin skin_;
+    std::vector<InputKnob> skin_inputs_; ///< with which the skin's pictures were made
+    bool skin_reveals_travel_ = false;   ///< likewise
+    std::unique_ptr<FitCheck> fit_;
+};
+
+/// A scene with all that is shown of it. Nothing, if it could not be read.
+struct ReadScene {
+    std::unique_ptr<OpenedScene> scene;
+    std::unique_ptr<SceneLayers> layers; ///< look into `scene`
+
+    explicit operator bool() const { return layers != nullptr; }
+};
+
+/// Reads the scenes of a preview, and tells when one is to be read again because a file has changed on disk.
+class SceneReader {
+public:
+    using Seconds = FileWatch::Seconds;
+
+    /// `first` has been opened already; with mistakes it counts as a file that open() failed for.
+    SceneReader(Opener opener, const OpenedScene& first);
+
+    /// Another file, or the same. If that fails, changed() names it once it, or what belongs to it, has
+    /// changed.
+    ReadScene open(const std::filesystem::path& file);
+    /// The file that was read last. If that fails, changed() names it once more after another change.
+    ReadScene read_again();
+    /// A file that could not be opened, or the one that was read last, if now is the time to read it.
+    std::optional<std::filesystem::path> changed(Seconds now);
+
+    const std::filesystem::path& file() const { return file_; }
+    /// The one of the last attempt, which errors() are of.
+    const std::filesystem::path& tried() const { return tried_; }
+    /// Of the last attempt, line by line; empty when it went well.
+    const std::vector<std::string>& errors() const { return errors_; }
+
+private:
+    struct Failed {
+        std::filesystem::path file;
+        FileWatch watch;
+    };
+
+    /// `tried` becomes what was looked at, if that fails and is known.
+    ReadScene read(const std::filesystem::path& file, FileWatch& tried);
+
+    Opener opener_;
+    std::filesystem::path file_;
+    std::filesystem::path tried_;
+    FileWatch watch_; ///< of all files that what was read last depends on
+    std::optional<Failed> failed_;
+    std::vector<std::string> errors_;
+};
 
 }

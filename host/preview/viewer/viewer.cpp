@@ -2,11 +2,11 @@
 
 #include "host/fit/wording.hpp"
 #include "host/picture/png.hpp"
-#include "host/preview/files/output_name.hpp"
-#include "host/preview/viewer/item_choice.hpp"
+#include "host/preview/files/written_files.hpp"
+#include "host/preview/viewer/viewer_selection.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/number_text.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <sstream>

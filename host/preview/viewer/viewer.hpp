@@ -1,18 +1,16 @@
 #pragma once
 
 #include "host/picture/picture.hpp"
-#include "host/preview/board/fit_lines.hpp"
+#include "host/preview/board/fit_check.hpp"
 #include "host/preview/controls/preview_key.hpp"
 #include "host/preview/controls/view_options.hpp"
 #include "host/preview/files/editor.hpp"
-#include "host/preview/files/file_chooser.hpp"
-#include "host/preview/files/frame_collection.hpp"
-#include "host/preview/files/gif_writing.hpp"
+#include "host/preview/files/file_dialogue.hpp"
+#include "host/preview/files/written_files.hpp"
 #include "host/preview/overlay/overlay.hpp"
 #include "host/preview/playback/preview_playback.hpp"
 #include "host/preview/playback/time_table.hpp"
 #include "host/preview/viewer/opened_scene.hpp"
-#include "host/preview/viewer/scene_reader.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "host/preview/viewer/viewer.hpp"
 
-#include "host/preview/files/output_name.hpp"
-#include "host/text/counted.hpp"
+#include "host/preview/files/written_files.hpp"
+#include "host/text/number_text.hpp"
 
 #include <utility>
 

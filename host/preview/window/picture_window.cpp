@@ -14,6 +14,7 @@
 #include <utility>
 
 namespace kfast {
+
 namespace {
 
 constexpr int pixel_bytes = sizeof(Colour);

@@ -2,8 +2,8 @@
 
 #include "host/preview/controls/preview_key.hpp"
 #include "host/preview/painter/painter.hpp"
-#include "host/preview/window/pointer_event.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -11,6 +11,17 @@
 #include <vector>
 
 namespace kfast {
+
+/// Something that a mouse did, in pixels of the window; (0, 0) is the left upper one.
+struct PointerEvent {
+    enum class Kind : std::uint8_t { press, move, release, wheel };
+    enum class Button : std::uint8_t { left, other };
+    Kind kind = Kind::move;
+    int x = 0;
+    int y = 0;
+    int wheel = 0;                ///< notches, away from the user is positive
+    Button button = Button::left; ///< that was pressed or released
+};
 
 /// A window of the desktop, which can be resized. Its contents come from a Painter, and it tells what its
 /// user does.

@@ -1,8 +1,7 @@
 #include "host/preview/window/preview_screen.hpp"
 
-#include "host/preview/painter/area.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/panes/picture_pane.hpp"
-#include "host/preview/panes/status_line.hpp"
 #include "host/preview/panes/text_box.hpp"
 #include "host/preview/panes/time_line_pane.hpp"
 #include "host/preview/viewer/beside.hpp"

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "host/preview/controls/open_help.hpp"
+#include "host/preview/controls/help_pages.hpp"
 #include "host/preview/painter/painter.hpp"
-#include "host/preview/panes/picture_place.hpp"
+#include "host/preview/panes/picture_pane.hpp"
 #include "host/preview/panes/time_line.hpp"
 #include "host/preview/viewer/viewer.hpp"
-#include "host/preview/window/pointer_event.hpp"
+#include "host/preview/window/picture_window.hpp"
 #include "host/preview/window/window_layout.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "host/preview/window/window_layout.hpp"
 
 #include "host/preview/painter/painter.hpp"
-#include "host/preview/painter/placement.hpp"
+#include "host/preview/painter/scaled_picture.hpp"
 
 #include <algorithm>
 

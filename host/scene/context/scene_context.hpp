@@ -1,13 +1,11 @@
 #pragma once
 
 #include "core/time/time.hpp"
-#include "host/scene/context/input_table.hpp"
+#include "host/scene/context/limits.hpp"
 #include "host/scene/context/palette.hpp"
-#include "host/scene/context/point_budget.hpp"
-#include "host/scene/context/skeleton_table.hpp"
-#include "host/scene/context/symbol_table.hpp"
+#include "host/scene/context/tables.hpp"
 #include "host/scene/font/font_shelf.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/schema/report.hpp"
 
@@ -18,6 +16,23 @@
 #include <string_view>
 
 namespace kfast::scene {
+
+/// The points that the drawings of a scene may still have. Copies of symbols would soon be more than any
+/// memory holds.
+class PointBudget {
+public:
+    /// False when they are too many; then nothing is taken.
+    bool take(std::size_t points)
+    {
+        if (points > left_)
+            return false;
+        left_ -= points;
+        return true;
+    }
+
+private:
+    std::size_t left_ = max_points_of_scene;
+};
 
 // What the rules of the language are written with.
 using schema::any_colour;

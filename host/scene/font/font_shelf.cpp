@@ -3,7 +3,6 @@
 #include "host/file/input_file.hpp"
 #include "host/fonts/dejavu_faces.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/font/hershey_faces.hpp"
 #include "host/scene/font/hershey_font.hpp"
 #include "host/scene/font/outline_font.hpp"
 
@@ -14,6 +13,7 @@
 #include <vector>
 
 namespace kfast::scene {
+
 namespace {
 
 struct FilledFace {

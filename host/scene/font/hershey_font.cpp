@@ -8,6 +8,7 @@
 #include <string>
 
 namespace kfast::scene {
+
 namespace {
 
 constexpr char32_t first_character = U' ';

@@ -1,10 +1,19 @@
 #pragma once
 
-#include "host/scene/font/font.hpp"
+#include "host/scene/font/font_shelf.hpp"
 
+#include <span>
 #include <string_view>
 
 namespace kfast::scene {
+
+/// A font that is part of this program, in the format that HersheyFont reads.
+struct HersheyFace {
+    std::string_view name;
+    std::string_view jhf;
+};
+
+std::span<const HersheyFace> hershey_faces();
 
 /// A font of Dr. A. V. Hershey in the JHF format of James Hurt, for the characters of ASCII from space to ~.
 ///

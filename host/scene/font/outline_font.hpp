@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/scene/font/font.hpp"
+#include "host/scene/font/font_shelf.hpp"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #include "host/scene/font/text_layout.hpp"
 
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "core/scene/input_view.hpp"
 #include "host/geometry/outline.hpp"
-#include "host/scene/font/font.hpp"
+#include "host/scene/font/font_shelf.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -3,6 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/items/key_reader.hpp"
+#include "host/scene/model.hpp"
 #include "host/scene/values/timed_quantity.hpp"
 
 #include <vector>
@@ -24,5 +25,15 @@ std::vector<std::string_view> names_in_drawing(KeyHolder holder);
 
 DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                     SceneContext& context);
+
+/// Whether any of the drawings has depths.
+bool is_wire_frame(const std::vector<Key>& keys);
+
+/// Reports drawings without depths among others that have them.
+void refuse_mixed_depths(const std::vector<Key>& keys, SceneContext& context);
+
+/// Reports what an object that is a wire frame cannot have: a fill, what carries it, matching by length.
+void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content, const std::vector<Key>& keys,
+                         SceneContext& context);
 
 }

@@ -3,12 +3,12 @@
 #include "host/scene/context/limits.hpp"
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
-#include "host/scene/values/input_type.hpp"
+#include "host/scene/items/input_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/counted.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/number_text.hpp"
+#include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>

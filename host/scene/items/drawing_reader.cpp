@@ -1,22 +1,66 @@
 #include "host/scene/items/drawing_reader.hpp"
 
+#include "core/math/angle.hpp"
+#include "host/geometry/outline.hpp"
 #include "host/scene/context/limits.hpp"
+#include "host/scene/items/drawing_content.hpp"
 #include "host/scene/items/symbol_use.hpp"
-#include "host/scene/items/wire_rules.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
 #include "host/scene/shapes/wire_reader.hpp"
-#include "host/scene/values/placement.hpp"
+#include "host/scene/values/item_values.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/property_name.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <string>
 
 namespace kfast::scene {
+
 namespace {
+
+/// Where a copy of a drawing goes: grown and turned about (0, 0), then moved.
+class Placement {
+public:
+    /// Uses the place, rotation and scale of `values`.
+    explicit Placement(const ItemValues& values);
+
+    Vec2 of(Vec2 spot) const;
+    Outline of(const Outline& outline) const;
+
+private:
+    Vec2 origin_;
+    Vec2 x_axis_; ///< where (1, 0) goes, without the move
+    Vec2 y_axis_;
+};
+
+double value_of(const ItemValues& values, Property property, std::int32_t ordinary, double unit)
+{
+    return values.get(property).value_or(ordinary) / unit;
+}
+
+Placement::Placement(const ItemValues& values)
+    : origin_{value_of(values, Property::x, 0, 16), value_of(values, Property::y, 0, 16)}
+{
+    const auto angle = BinaryAngle::from_raw(values.get(Property::rotation).value_or(0));
+    const Vec2 direction{static_cast<double>(cosine(angle)) / one_q30,
+                         static_cast<double>(sine(angle)) / one_q30};
+    x_axis_ = value_of(values, Property::scale_x, scale_one, scale_one) * direction;
+    y_axis_ = value_of(values, Property::scale_y, scale_one, scale_one) * Vec2{-direction.y, direction.x};
+}
+
+Vec2 Placement::of(Vec2 spot) const { return origin_ + spot.x * x_axis_ + spot.y * y_axis_; }
+
+Outline Placement::of(const Outline& outline) const
+{
+    Outline placed{.from = of(outline.from), .curves = {}, .closed = outline.closed};
+    placed.curves.reserve(outline.curves.size());
+    for (const Curve& curve : outline.curves)
+        placed.curves.push_back(curve.cubic ? cubic_to(of(curve.c1), of(curve.c2), of(curve.to))
+                                            : line_to(of(curve.to)));
+    return placed;
+}
 
 constexpr NodeForm empty_form{"empty", "key TIME { empty }"};
 

@@ -5,12 +5,10 @@
 #include "host/scene/items/drawing_input_reader.hpp"
 #include "host/scene/items/text_input_reader.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
-#include "host/scene/values/input_type.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +18,23 @@
 #include <utility>
 
 namespace kfast::scene {
+
+InputType input_type(const kdl::Node& node)
+{
+    const auto property = std::ranges::find(node.properties, "kind", &kdl::Property::name);
+    if (property == node.properties.end())
+        return InputType::number;
+    const auto* const name = property->value.string();
+    const auto type =
+        name != nullptr ? std::ranges::find(input_types, *name, &Word<InputType>::name) : input_types.end();
+    return type != input_types.end() ? type->meaning : InputType::number;
+}
+
+bool check_input_type(const kdl::Value& value, SceneContext& context)
+{
+    return read_word(value, input_types, context.report).has_value();
+}
+
 namespace {
 
 constexpr NodeForm number_form{input_name, "input NAME min=NUMBER max=NUMBER default=NUMBER", 1, 1};

@@ -1,12 +1,34 @@
 #pragma once
 
+#include "core/scene/input_view.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
+#include "host/schema/value_kind.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace kfast::scene {
+
+inline constexpr std::array input_types{
+    Word<InputType>{"number", InputType::number},
+    Word<InputType>{"text", InputType::text},
+    Word<InputType>{"drawing", InputType::drawing},
+};
+
+/// What the property `kind` of an input says; a number if there is none, or if it is wrong.
+InputType input_type(const kdl::Node& node);
+
+/// Whether the value of such a property is good; reports it if not.
+bool check_input_type(const kdl::Value& value, SceneContext& context);
+
+/// For the table of properties of an input.
+template <class Target>
+bool check_own_type(const kdl::Value& value, Target&, SceneContext& context)
+{
+    return check_input_type(value, context);
+}
 
 inline constexpr std::string_view input_name = "input";
 

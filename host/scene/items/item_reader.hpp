@@ -3,7 +3,9 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
+#include "host/schema/node_form.hpp"
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,5 +22,13 @@ void read_item(const kdl::Node& node, int depth, std::vector<Item>& items, Scene
 
 /// `items` are all that lie beside each other.
 void refuse_crowded_order(std::span<const Item> items, SceneContext& context);
+
+inline constexpr std::string_view group_name = "group";
+
+/// Nothing when the node gives no usable group; what is wrong is reported. `depth` groups and uses lie
+/// around it.
+std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& context);
+
+NodeSchema group_words();
 
 }

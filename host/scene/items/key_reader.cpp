@@ -3,9 +3,8 @@
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 #include "host/scene/model.hpp"
 #include "host/scene/values/item_values.hpp"
 #include "host/scene/values/key_driver.hpp"
-#include "host/scene/values/key_laws.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/scene/values/law_reader.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
 
 #include <cmath>

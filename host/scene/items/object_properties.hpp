@@ -5,7 +5,7 @@
 #include "host/scene/model.hpp"
 #include "host/scene/values/item_values.hpp"
 #include "host/scene/values/key_driver.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <optional>
 

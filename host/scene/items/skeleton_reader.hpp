@@ -3,7 +3,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <span>
 #include <vector>

@@ -1,26 +1,50 @@
 #include "host/scene/items/symbol_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
+#include "host/scene/context/tables.hpp"
 #include "host/scene/items/drawing_content.hpp"
 #include "host/scene/items/drawing_reader.hpp"
-#include "host/scene/items/item_depth.hpp"
 #include "host/scene/items/item_reader.hpp"
-#include "host/scene/items/symbol_kind.hpp"
+#include "host/scene/items/symbol_use.hpp"
 #include "host/scene/items/track_builder.hpp"
+#include "host/scene/model.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace kfast::scene {
+
 namespace {
+
+/// How deep groups and uses lie in each other among `items`, in which a Use has the number of an entry in
+/// `symbols`, which has been read.
+int depth_of(std::span<const Item> items, const SymbolTable& symbols);
+
+int depth_of(const Item& item, const SymbolTable& symbols)
+{
+    if (const Group* const group = std::get_if<Group>(&item.content))
+        return depth_of(group->items, symbols) + 1;
+    if (const Use* const use = std::get_if<Use>(&item.content))
+        return symbols.entries[use->symbol].depth + 1;
+    return 0;
+}
+
+int depth_of(std::span<const Item> items, const SymbolTable& symbols)
+{
+    int depth = 0;
+    for (const Item& item : items)
+        depth = std::max(depth, depth_of(item, symbols));
+    return depth;
+}
 
 constexpr NodeForm symbol_form{symbol_name, "symbol NAME { items, shapes or keys }", 1, 1, true};
 

@@ -2,9 +2,9 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/context/symbol_table.hpp"
+#include "host/scene/context/tables.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <string_view>
 

@@ -2,12 +2,12 @@
 
 #include "core/bytes/code_point.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "host/scene/values/input_type.hpp"
+#include "host/scene/items/input_reader.hpp"
 #include "host/scene/values/text_properties.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <array>
 #include <optional>

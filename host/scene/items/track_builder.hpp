@@ -12,6 +12,27 @@
 
 namespace kfast::scene {
 
+constexpr bool is_pivot(const Track& track)
+{
+    return track.property == Property::pivot_x || track.property == Property::pivot_y;
+}
+
+/// Whether `track` gives a pivot something to do: the item turns or grows about it, or moves it along a path.
+constexpr bool needs_pivot(const Track& track)
+{
+    switch (track.property) {
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+    case Property::scale_x:
+    case Property::scale_y:
+    case Property::along:
+        return true;
+    default:
+        return false;
+    }
+}
+
 /// The keys that an item has itself, and what they go by.
 struct KeysOfItem {
     std::span<const ItemKey> keys;
@@ -27,5 +48,10 @@ std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
 
 /// The drawings of `keys`, with the laws of their ways; `keys` have none afterwards.
 std::vector<Key> take_drawings(std::span<ItemKey> keys);
+
+/// Reports each of `timed` that gives what the item itself (`values`), one of its keys or another track gives
+/// as well, and a path beside a position.
+void refuse_duplicate_quantities(std::span<const TimedQuantity> timed, const ItemValues& values,
+                                 std::span<const ItemKey> keys, SceneContext& context);
 
 }

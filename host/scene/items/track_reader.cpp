@@ -1,15 +1,14 @@
 #include "host/scene/items/track_reader.hpp"
 
-#include "host/scene/values/along_reader.hpp"
+#include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/law_reader.hpp"
-#include "host/scene/values/timed_value.hpp"
-#include "host/scene/values/unseen_keys.hpp"
+#include "host/scene/values/timed_quantity.hpp"
+#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/property_name.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>

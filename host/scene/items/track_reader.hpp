@@ -4,7 +4,7 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/values/timed_quantity.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <optional>
 #include <string_view>

@@ -3,7 +3,7 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <cstddef>
 #include <span>

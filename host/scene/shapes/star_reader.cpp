@@ -1,9 +1,9 @@
 #include "host/scene/shapes/star_reader.hpp"
 
-#include "host/geometry/star.hpp"
-#include "host/scene/values/spot_reader.hpp"
+#include "host/geometry/shape.hpp"
+#include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
 
 namespace kfast::scene {

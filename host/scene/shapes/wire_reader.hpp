@@ -3,13 +3,25 @@
 #include "host/geometry/wire.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+/// Each function reports what is wrong and then returns nothing.
 namespace kfast::scene {
+
+/// All values of `node`, by threes; there must be at least one.
+std::optional<std::vector<Vec3>> read_space_spots(const kdl::Node& node, SceneContext& context);
+
+/// What stands inside of the node `mesh`.
+std::optional<Mesh> read_mesh(const kdl::Node& node, SceneContext& context);
+
+std::vector<std::string_view> names_inside_mesh();
+/// Of these.
+std::vector<NodeSchema> mesh_words();
 
 /// The nodes that draw something with a depth: wire, mesh, cuboid.
 std::span<const std::string_view> wire_names();

@@ -1,13 +1,12 @@
 #include "host/scene/skeleton/backbone_reader.hpp"
 
 #include "host/geometry/band.hpp"
-#include "host/geometry/coordinate.hpp"
-#include "host/scene/values/spot_reader.hpp"
+#include "host/geometry/drawing.hpp"
+#include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/counted.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

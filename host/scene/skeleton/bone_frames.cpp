@@ -2,7 +2,7 @@
 
 #include "core/math/angle.hpp"
 #include "core/time/track.hpp"
-#include "host/geometry/unit_circle.hpp"
+#include "host/geometry/arc.hpp"
 
 #include <algorithm>
 

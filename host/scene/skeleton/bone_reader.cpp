@@ -1,13 +1,13 @@
 #include "host/scene/skeleton/bone_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
+#include "host/scene/context/tables.hpp"
 #include "host/scene/skeleton/weights_reader.hpp"
-#include "host/scene/values/spot_reader.hpp"
+#include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 #include "host/words/synonyms.hpp"
 
@@ -15,6 +15,7 @@
 #include <utility>
 
 namespace kfast::scene {
+
 namespace {
 
 constexpr NodeForm bone_form{bone_name, "bone NAME X Y X Y", 5, 5, true};
@@ -142,6 +143,15 @@ NodeSchema bone_words()
 {
     return {
         bone_name, bone_form, {any_name, ValueKind::pixels(coordinates)}, words_of(bone_rules), {bone_name}};
+}
+
+std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,
+                                          const std::vector<Bone>& bones, SceneContext& context)
+{
+    const auto bone = find_bone(bones, name);
+    if (!bone)
+        context.report.error(place, "unknown bone " + in_quotes(name), suggestion(name, names_of(bones)));
+    return bone;
 }
 
 }

@@ -3,11 +3,13 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/scene/model.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::scene {
@@ -54,5 +56,9 @@ private:
 };
 
 NodeSchema bone_words();
+
+/// The bone that is called `name`; reports it at `place` if there is none.
+std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,
+                                          const std::vector<Bone>& bones, SceneContext& context);
 
 }

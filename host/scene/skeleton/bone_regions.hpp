@@ -1,6 +1,8 @@
 #pragma once
 
-#include "host/scene/context/skeleton_table.hpp"
+#include "host/scene/context/scene_context.hpp"
+#include "host/scene/context/tables.hpp"
+#include "host/scene/model.hpp"
 #include "host/scene/skeleton/binding.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
 
@@ -29,5 +31,11 @@ private:
 
     std::vector<Region> regions_;
 };
+
+/// Warns of an object at `place` whose points have found their bones by the regions of these, if some follow
+/// two bones alike that lie on each other as set up and then move apart: neither carries them. `bindings` are
+/// those of its points as `weights` counts them.
+void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector<Binding>& bindings,
+                               SourceSpan place, SceneContext& context);
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <string_view>
 

@@ -1,14 +1,12 @@
 #include "host/scene/skeleton/pose_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/scene/skeleton/bone_name_reader.hpp"
-#include "host/scene/values/key_order.hpp"
-#include "host/scene/values/unseen_keys.hpp"
+#include "host/scene/skeleton/bone_reader.hpp"
+#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
 #include "host/scene/values/key_driver.hpp"
-#include "host/scene/values/key_laws.hpp"
-#include "host/schema/name_table.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/scene/values/law_reader.hpp"
+#include "host/schema/report.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -3,9 +3,9 @@
 #include "core/math/angle.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/scene/context/limits.hpp"
-#include "host/scene/skeleton/two_bone_arm.hpp"
+#include "host/scene/skeleton/reach_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cmath>

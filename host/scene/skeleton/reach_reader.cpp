@@ -1,23 +1,25 @@
 #include "host/scene/skeleton/reach_reader.hpp"
 
+#include "core/math/angle.hpp"
 #include "core/time/track.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
-#include "host/scene/skeleton/bone_name_reader.hpp"
-#include "host/scene/values/key_laws.hpp"
-#include "host/scene/values/key_order.hpp"
-#include "host/scene/values/timed_value.hpp"
+#include "host/scene/skeleton/bone_reader.hpp"
+#include "host/scene/values/key_driver.hpp"
+#include "host/scene/values/law_reader.hpp"
+#include "host/scene/values/timed_quantity.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace kfast::scene {
+
 namespace {
 
 constexpr NodeForm reach_form{reach_name, "reach BONE { at TIME X Y }", 1, 1, true};
@@ -176,6 +178,53 @@ std::vector<NodeSchema> reach_words()
     constexpr std::string_view target = "at of reach";
     return {{reach_name, reach_form, {any_name}, words_of(reach_rules), {target}},
             {target, at_form, {any_time, ValueKind::pixels(coordinates)}, words_of(at_rules)}};
+}
+
+namespace {
+
+constexpr double units_per_radian = BinaryAngle::turn / (2 * std::numbers::pi);
+
+double angle_of(Vec2 direction) { return std::atan2(direction.y, direction.x) * units_per_radian; }
+
+/// The angle at the origin of a triangle, of which `opposite` is the side that does not touch it. Sides that
+/// do not meet are laid along each other.
+double corner(double side, double other, double opposite)
+{
+    const double product = 2 * side * other;
+    if (product == 0)
+        return 0;
+    const double cosine = (side * side + other * other - opposite * opposite) / product;
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * units_per_radian;
+}
+
+}
+
+Vec2 Arm::tip(double upper, double lower) const
+{
+    const BoneFrame upper_frame{base.origin, base.angle + upper, 0};
+    return BoneFrame{upper_frame.outside(joint), upper_frame.angle + lower, lower_length}.tip();
+}
+
+Arm arm_at(const std::vector<Bone>& bones, std::size_t bone, Time time)
+{
+    const std::size_t upper = *bones[bone].parent;
+    BoneFrame base = frame_at(bones, upper, time);
+    const double stretch = play_range_of(bones[upper], base);
+    base.angle -= values_at(bones[upper], time).front();
+    const BoneFrame lower = frame_in({}, bones[bone], values_at(bones[bone], time), stretch);
+    return {base, lower.origin, lower.length};
+}
+
+ArmAngles angles_reaching(const Arm& arm, Vec2 target, Bend bend)
+{
+    const double upper_length = distance({}, arm.joint);
+    const double bent = corner(upper_length, distance(arm.base.origin, target), arm.lower_length);
+    const double towards = angle_of(target - arm.base.origin);
+    const double to_joint = towards + (bend == Bend::right ? bent : -bent);
+    const double upper = to_joint - angle_of(arm.joint) - arm.base.angle;
+    const Vec2 joint = arm.base.origin + upper_length * direction_of(to_joint);
+    const double lower = angle_of(target - joint) - arm.base.angle - upper;
+    return {upper, lower};
 }
 
 }

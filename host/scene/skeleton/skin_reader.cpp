@@ -1,18 +1,73 @@
 #include "host/scene/skeleton/skin_reader.hpp"
 
-#include "host/scene/skeleton/bone_name_reader.hpp"
-#include "host/scene/skeleton/skin_points.hpp"
+#include "host/geometry/outline.hpp"
+#include "host/scene/model.hpp"
+#include "host/scene/skeleton/binding.hpp"
+#include "host/scene/skeleton/bone_reader.hpp"
 #include "host/scene/skeleton/weights_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace kfast::scene {
+
 namespace {
+
+/// The points of a drawing that follow bones each in its own way. The closing point of a closed stroke
+/// follows its first and does not count.
+class SkinPoints {
+public:
+    explicit SkinPoints(const Drawing& drawing);
+
+    const std::vector<Vec2>& spots() const { return spots_; }
+    /// For each point as the format counts them; `bindings` are those of spots().
+    std::vector<Binding> bindings_of_all(const std::vector<Binding>& bindings) const;
+
+private:
+    void add(const Stroke& stroke);
+    void add(Point point);
+
+    std::vector<Vec2> spots_;
+    std::vector<std::size_t> all_; ///< indices into spots_
+};
+
+SkinPoints::SkinPoints(const Drawing& drawing)
+{
+    for (const Stroke& stroke : drawing.strokes)
+        add(stroke);
+}
+
+std::vector<Binding> SkinPoints::bindings_of_all(const std::vector<Binding>& bindings) const
+{
+    std::vector<Binding> all;
+    all.reserve(all_.size());
+    for (const std::size_t index : all_)
+        all.push_back(bindings[index]);
+    return all;
+}
+
+void SkinPoints::add(const Stroke& stroke)
+{
+    const std::size_t first = spots_.size();
+    add(stroke.from);
+    for (const Segment& segment : stroke.segments)
+        if (&segment == &stroke.segments.back() && segment.to == stroke.from)
+            all_.push_back(first);
+        else
+            add(segment.to);
+}
+
+void SkinPoints::add(Point point)
+{
+    all_.push_back(spots_.size());
+    spots_.push_back({point.x / 16.0, point.y / 16.0});
+}
 
 void refuse_without_skin(const WrittenSkin& written, SceneContext& context)
 {

@@ -1,14 +1,12 @@
 #include "host/scene/skeleton/weights_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/scene/skeleton/bone_name_reader.hpp"
+#include "host/scene/skeleton/bone_reader.hpp"
 #include "host/scene/skeleton/bone_regions.hpp"
-#include "host/scene/skeleton/overlapping_bones.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
-#include "host/schema/node_schema.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,9 +3,9 @@
 #include "host/geometry/outline.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/context/skeleton_table.hpp"
+#include "host/scene/context/tables.hpp"
 #include "host/scene/skeleton/binding.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <optional>
 #include <string_view>

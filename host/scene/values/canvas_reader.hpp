@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/model.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 namespace kfast::scene {
 
@@ -12,5 +12,10 @@ namespace kfast::scene {
 void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context);
 
 NodeSchema canvas_words();
+
+/// Declares the names inside the node in `context.palette`.
+void read_palette(const kdl::Node& node, SceneContext& context);
+
+std::vector<NodeSchema> palette_words();
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/kdl/canonical.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <string>

@@ -4,6 +4,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/context/scene_context.hpp"
+#include "host/scene/model.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/property_rule.hpp"
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace kfast::scene {
 
@@ -113,5 +115,11 @@ inline constexpr std::array show_rules{
     PropertyRule<Target>{"order", read_own_value<Property::order>, kind_of(Property::order)},
     PropertyRule<Target>{"visible", read_own_value<Property::visible>, kind_of(Property::visible)},
 };
+
+/// What `values` do not say of the pivot: the centre of the box of the vertices of the first drawing that is
+/// not empty, rounded to 1/16 px, halves up. Control points do not count.
+void set_default_pivot(const std::vector<Key>& keys, ItemValues& values);
+/// Likewise: this point.
+void set_default_pivot(Point pivot, ItemValues& values);
 
 }

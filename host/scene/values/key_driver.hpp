@@ -2,14 +2,16 @@
 
 #include "core/time/time.hpp"
 #include "host/kdl/document.hpp"
-#include "host/scene/context/input_table.hpp"
 #include "host/scene/context/scene_context.hpp"
+#include "host/scene/context/tables.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::scene {
 
@@ -54,6 +56,45 @@ bool read_own_driver(const kdl::Value& value, Target& target, SceneContext& cont
     if (driver)
         target.driver = *driver;
     return driver.has_value();
+}
+
+/// What keys that stand in the order of their moments have in common.
+
+/// Where and when something is.
+struct PlacedMoment {
+    Time time;
+    SourceSpan place;
+};
+
+/// Whether `at`, a `noun` such as "key", is later than `before` on their `driver`, and reports it if not.
+bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyDriver& driver,
+                 SceneContext& context);
+
+/// Warns of the first of `keys` of which nothing is seen because the scene ends before. Their times rise. Of
+/// those that lie at the end or behind it, the first `in_use` still shape what is seen; `noun` is what a key
+/// is called.
+template <class Key>
+void warn_of_unseen_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
+                         SceneContext& context)
+{
+    if (!context.length)
+        return;
+    const auto begins_too_late = [&](const Key& key) { return key.time >= *context.length; };
+    const auto late = std::ranges::find_if(keys, begins_too_late);
+    if (keys.end() - late > in_use)
+        context.report.warning((late + in_use)->place,
+                               "the scene ends before anything of this " + std::string{noun} + " is seen",
+                               "make the scene longer with frames=… or remove the " + std::string{noun});
+}
+
+/// Likewise; and how far `keys` reach in time.
+template <class Key>
+void take_times(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
+                SceneContext& context)
+{
+    warn_of_unseen_keys(keys, in_use, noun, context);
+    if (!keys.empty())
+        context.last_key = std::max(context.last_key, keys.back().time);
 }
 
 }

@@ -2,7 +2,7 @@
 
 #include "host/geometry/path_scanner.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/text/glyph.hpp"
+#include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace kfast::scene {
+
 namespace {
 
 /// Of a number of bezier(), in Q13, rounded to nearest.

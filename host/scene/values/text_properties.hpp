@@ -3,7 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/scene/font/text_layout.hpp"
-#include "host/schema/node_schema.hpp"
+#include "host/schema/node_form.hpp"
 
 #include <cstdint>
 #include <optional>

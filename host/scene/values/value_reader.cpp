@@ -1,8 +1,8 @@
 #include "host/scene/values/value_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
-#include "host/text/glyph.hpp"
-#include "host/words/in_frames.hpp"
+#include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>

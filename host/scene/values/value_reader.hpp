@@ -2,7 +2,7 @@
 
 #include "core/scene/kfb_limits.hpp"
 #include "core/time/time.hpp"
-#include "host/geometry/coordinate.hpp"
+#include "host/geometry/drawing.hpp"
 #include "host/scene/context/scene_context.hpp"
 #include "host/schema/value_reader.hpp"
 

@@ -1,14 +1,193 @@
 #include "host/scene_text/arrange/arrange.hpp"
 
-#include "host/scene_text/arrange/depth.hpp"
+#include "host/art/document/document.hpp"
+#include "host/art/losses.hpp"
+#include "host/scene/context/limits.hpp"
+#include "host/scene_text/arrange/baking.hpp"
 #include "host/scene_text/arrange/folding.hpp"
-#include "host/scene_text/arrange/line_pens.hpp"
 #include "host/scene_text/arrange/paints.hpp"
+#include "host/scene_text/arrange/placement.hpp"
 #include "host/scene_text/arrange/ranges.hpp"
-#include "host/scene_text/arrange/skewing.hpp"
 #include "host/scene_text/arrange/unseen.hpp"
+#include "host/scene_text/values/sums.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace kfast::scene_text {
+
+namespace {
+
+using art::Channel;
+using art::Group;
+using art::Node;
+
+/// Of groups in each other.
+int depth_of(const std::vector<Node>& nodes)
+{
+    int depth = 0;
+    for (const Node& node : nodes)
+        if (const auto* const group = std::get_if<Group>(&node.content))
+            depth = std::max(depth, 1 + depth_of(group->nodes));
+    return depth;
+}
+
+bool is_plain(const Node& node)
+{
+    return std::holds_alternative<Group>(node.content) && is_identity(node.transform) &&
+           node.opacity == Channel{1} && node.shown == std::vector{art::Span{}};
+}
+
+/// Puts the nodes of groups where the groups are.
+template <typename Dissolves>
+void dissolve(std::vector<Node>& nodes, Dissolves dissolves)
+{
+    std::vector<Node> flat;
+    for (Node& node : nodes)
+        if (dissolves(node))
+            std::ranges::move(std::get<Group>(node.content).nodes, std::back_inserter(flat));
+        else
+            flat.push_back(std::move(node));
+    nodes = std::move(flat);
+}
+
+class Depth {
+public:
+    explicit Depth(const Arranging& arranging) : arranging_{arranging} {}
+
+    /// `room` is how many groups may lie in each other here.
+    void limit(std::vector<Node>& nodes, int room)
+    {
+        if (depth_of(nodes) <= room)
+            return;
+        for (Node& node : nodes)
+            if (auto* const group = std::get_if<Group>(&node.content))
+                limit(group->nodes, std::max(room - 1, 0));
+        // Groups that are only names go first.
+        dissolve(nodes, [&](const Node& node) { return is_plain(node) && too_deep(node, room); });
+        if (depth_of(nodes) <= room)
+            return;
+        for (Node& node : nodes)
+            if (std::holds_alternative<Group>(node.content) && too_deep(node, room))
+                flatten(node);
+        dissolve(nodes, [&](const Node& node) { return is_plain(node) && too_deep(node, room); });
+    }
+
+private:
+    static bool too_deep(const Node& node, int room)
+    {
+        const auto* const group = std::get_if<Group>(&node.content);
+        return group != nullptr && 1 + depth_of(group->nodes) > room;
+    }
+
+    /// Leaves nothing to do for the group itself.
+    void flatten(Node& node)
+    {
+        if (!is_identity(node.transform))
+            bake(node, arranging_);
+        std::vector<Node>& inner = std::get<Group>(node.content).nodes;
+        if (node.opacity != Channel{1} && inner.size() > 1)
+            arranging_.losses.add({"opacity of a group, so deep inside of groups",
+                                   node.name,
+                                   {},
+                                   "its parts are transparent each for itself"});
+        for (Node& part : inner) {
+            part.opacity = product(part.opacity, node.opacity, {opacity_step, arranging_.budget});
+            part.shown = common(part.shown, node.shown);
+        }
+        node.opacity = {1};
+        node.shown = std::vector{art::Span{}};
+    }
+
+    static constexpr double opacity_step = 1.0 / 512;
+
+    const Arranging& arranging_;
+};
+
+/// Lets groups lie no deeper in each other than scenes hold: those beyond are dissolved, and what they do is
+/// baked.
+void limit_depth(std::vector<Node>& nodes, const Arranging& arranging)
+{
+    Depth{arranging}.limit(nodes, scene::deepest_item);
+}
+
+using art::Affine;
+
+constexpr double min = 0.05;
+/// Of the times that are looked at, for each shape.
+constexpr std::size_t max_times = 64;
+
+void add_times(const art::Transform& transform, std::vector<double>& times)
+{
+    for (const art::Channel* channel :
+         {&transform.scale_x, &transform.scale_y, &transform.skew, &transform.rotate})
+        for (const auto& key : channel->keys)
+            if (times.size() < max_times)
+                times.push_back(key.time);
+}
+
+class Pens {
+public:
+    explicit Pens(art::Losses& losses) : losses_{losses} {}
+
+    void look_at(const std::vector<Node>& nodes)
+    {
+        for (const Node& node : nodes) {
+            around_.push_back(&node);
+            if (const auto* const group = std::get_if<art::Group>(&node.content))
+                look_at(group->nodes);
+            else if (std::get<art::Shape>(node.content).stroke)
+                look_at_line();
+            around_.pop_back();
+        }
+    }
+
+private:
+    /// Of the innermost node.
+    void look_at_line()
+    {
+        std::vector<double> times;
+        for (const Node* node : around_)
+            add_times(node->transform, times);
+        std::ranges::sort(times);
+        const auto bent =
+            std::ranges::find_if(times, [this](double time) { return distortion_of(shape(time)) > min; });
+        if (bent == times.end())
+            return;
+        const bool is_later = *bent > times.front();
+        losses_.add({"a line that becomes wider one way than the other", names(),
+                     is_later ? std::optional{*bent} : std::nullopt, "it is as wide in every direction"});
+    }
+
+    Affine shape(double time) const
+    {
+        Affine shape;
+        for (const Node* node : around_)
+            shape = shape * shape_at(node->transform, time);
+        return shape;
+    }
+
+    std::string names() const
+    {
+        std::string names;
+        for (const Node* node : around_)
+            if (!node->name.empty())
+                names += (names.empty() ? "" : " / ") + node->name;
+        return names;
+    }
+
+    art::Losses& losses_;
+    std::vector<const Node*> around_ = {}; ///< from the outermost
+};
+
+/// Lines of scenes are as wide in every direction: reports those whose pen becomes wider one way than the
+/// other, by more than a twentieth, because what is around them grows unevenly or leans.
+void report_bent_pens(const std::vector<Node>& nodes, art::Losses& losses) { Pens{losses}.look_at(nodes); }
+
+}
 
 Reach arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
 {

@@ -1,6 +1,6 @@
 #include "host/scene_text/arrange/carrying.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/scene_text/arrange/placement.hpp"
 #include "host/scene_text/values/sums.hpp"
 

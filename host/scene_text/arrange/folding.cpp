@@ -1,9 +1,8 @@
 #include "host/scene_text/arrange/folding.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 #include "host/scene_text/arrange/carrying.hpp"
 #include "host/scene_text/arrange/placement.hpp"
-#include "host/scene_text/arrange/spans.hpp"
 #include "host/scene_text/values/sums.hpp"
 
 #include <algorithm>

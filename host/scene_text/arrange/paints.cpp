@@ -1,6 +1,6 @@
 #include "host/scene_text/arrange/paints.hpp"
 
-#include "host/scene_text/values/paint_keys.hpp"
+#include "host/scene_text/values/writing.hpp"
 #include "host/scene_text/values/sums.hpp"
 
 #include <algorithm>

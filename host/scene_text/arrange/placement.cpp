@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace kfast::scene_text {
+
 namespace {
 
 using art::Affine;
@@ -93,6 +94,20 @@ double distortion_of(const Affine& affine)
     if (longer == 0)
         return 0;
     return shorter > 0 ? longer / shorter - 1 : std::numeric_limits<double>::infinity();
+}
+
+using art::Span;
+
+std::vector<Span> common(const std::vector<Span>& one, const std::vector<Span>& other)
+{
+    std::vector<Span> both;
+    for (const Span& left : one)
+        for (const Span& right : other)
+            if (const Span span{std::max(left.from, right.from), std::min(left.to, right.to)};
+                span.from < span.to)
+                both.push_back(span);
+    std::ranges::sort(both, {}, &Span::from);
+    return both;
 }
 
 }

@@ -4,6 +4,7 @@
 #include "host/art/geometry/affine.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace kfast::scene_text {
 
@@ -38,5 +39,8 @@ double scale_factor_of(const art::Affine& affine);
 
 /// By how much a circle becomes longer than it is wide: 0 if it stays one.
 double distortion_of(const art::Affine& affine);
+
+/// When both are seen.
+std::vector<art::Span> common(const std::vector<art::Span>& one, const std::vector<art::Span>& other);
 
 }

@@ -1,7 +1,7 @@
 #include "host/scene_text/arrange/unseen.hpp"
 
 #include "host/scene_text/values/grid.hpp"
-#include "host/scene_text/values/visible_keys.hpp"
+#include "host/scene_text/values/stored_keys.hpp"
 
 #include <algorithm>
 #include <iterator>

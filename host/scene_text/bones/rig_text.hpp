@@ -16,4 +16,7 @@ std::vector<RigNames> rig_names(const std::vector<art::Rig>& rigs);
 /// coordinates into `reach`; what is beyond the numbers of scenes is held there, which is a loss.
 std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing, Reach& reach);
 
+/// Adds what carries an object.
+void add_skin(kdl::Node& object, const art::Skin& skin, const RigNames& names);
+
 }

@@ -1,14 +1,202 @@
 #include "host/scene_text/items/item_text.hpp"
 
-#include "host/scene_text/items/object_text.hpp"
+#include "host/art/document/document.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene_text/bones/rig_text.hpp"
+#include "host/scene_text/drawings/drawing_nodes.hpp"
+#include "host/scene_text/drawings/stored_drawings.hpp"
 #include "host/scene_text/items/track_text.hpp"
 #include "host/scene_text/values/nodes.hpp"
-#include "host/scene_text/values/visible_keys.hpp"
+#include "host/scene_text/values/stored_keys.hpp"
+#include "host/scene_text/values/writing.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace kfast::scene_text {
+
 namespace {
+
+using art::Shape;
+
+constexpr std::array<std::string_view, 3> cap_words{"butt", "round", "square"};
+constexpr std::array<std::string_view, 3> join_words{"miter", "round", "bevel"};
+
+/// All that an object says at one time.
+struct Moment {
+    std::vector<kdl::Node> shapes; ///< none: there is no drawing
+    std::optional<std::string> fill;
+    std::optional<std::string> stroke;
+    std::optional<bool> visible;
+    std::optional<std::string> drawing_law; ///< of the ways that begin here
+    std::optional<std::string> paint_law;
+    bool matches_length = false;
+};
+
+class ObjectText {
+public:
+    ObjectText(const art::Node& node, Writing& writing)
+        : node_{node}, shape_{std::get<Shape>(node.content)}, writing_{writing}, drawings_{drawing_keys(
+                                                                                     shape_, writing.length)}
+    {
+    }
+
+    kdl::Node write()
+    {
+        name_ = writing_.object_names.unique(node_.name, "shape");
+        object_ = named_node("object", text(name_));
+        add_fill();
+        add_line();
+        add_visibility();
+        add_shapes();
+        if (shape_.skin)
+            add_skin(object_, *shape_.skin, writing_.rigs[shape_.skin->rig]);
+        add_width();
+        add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_);
+        return std::move(object_);
+    }
+
+private:
+    void add_fill()
+    {
+        if (!shape_.fill)
+            return;
+        add_paint("fill", *shape_.fill, name_, &Moment::fill);
+        if (shape_.fill->rule == FillRule::even_odd)
+            set(object_, "rule", text("even-odd"));
+    }
+
+    void add_line()
+    {
+        if (!shape_.stroke)
+            return;
+        const art::StrokeStyle& stroke = *shape_.stroke;
+        add_paint("stroke", stroke, shape_.fill ? name_ + "-line" : name_, &Moment::stroke);
+        if (stroke.cap != Cap::butt)
+            set(object_, "cap", text(std::string{cap_words[static_cast<std::size_t>(stroke.cap)]}));
+        if (stroke.join != Join::miter)
+            set(object_, "join", text(std::string{join_words[static_cast<std::size_t>(stroke.join)]}));
+        const std::int32_t miter = on_grid(stroke.miter_limit, miters);
+        if (stroke.join == Join::miter && miter != default_miter_limit)
+            set(object_, "miter", number(miter, miters));
+    }
+
+    template <typename Paint>
+    void add_paint(std::string_view property, const Paint& paint, const std::string& user,
+                   std::optional<std::string> Moment::*place)
+    {
+        const auto keys = paint_keys(paint, writing_.length);
+        set(object_, property, text(writing_.colours.word(keys.front().value, user)));
+        if (keys.size() == 1)
+            return;
+        for (const auto& key : keys) {
+            Moment& moment = moments_[key.ticks];
+            moment.*place = writing_.colours.word(key.value, user);
+            if (&key != &keys.back())
+                moment.paint_law = key.law;
+        }
+    }
+
+    void add_visibility()
+    {
+        const auto keys = visible_keys(node_.shown, writing_.length);
+        if (keys.size() > 1)
+            for (const auto& key : keys)
+                moments_[key.ticks].visible = key.value;
+    }
+
+    void add_shapes()
+    {
+        if (drawings_.size() > 1)
+            add_drawings();
+        else
+            object_.children = shapes().front();
+        for (const auto& [ticks, moment] : moments_)
+            object_.children.push_back(key_node(ticks, moment));
+    }
+
+    std::vector<std::vector<kdl::Node>> shapes() const
+    {
+        std::vector<const art::Drawing*> drawings;
+        for (const auto& key : drawings_)
+            drawings.push_back(&key.value);
+        return shapes_of(drawings);
+    }
+
+    void add_drawings()
+    {
+        std::vector<std::vector<kdl::Node>> nodes = shapes();
+        for (std::size_t i = 0; i < drawings_.size(); ++i) {
+            const auto& key = drawings_[i];
+            Moment& moment = moments_[key.ticks];
+            moment.shapes = std::move(nodes[i]);
+            if (i + 1 == drawings_.size())
+                continue;
+            moment.drawing_law = key.law;
+            moment.matches_length = shape_.matches_length && !shape_.skin && key.law != "hold" &&
+                                    !same_form(key.value, drawings_[i + 1].value);
+        }
+    }
+
+    static void add_laws(kdl::Node& key, const Moment& moment)
+    {
+        const std::string rest = moment.paint_law.value_or(moment.drawing_law.value_or("constant"));
+        if (rest != "constant")
+            set(key, "law", text(rest));
+        if (moment.drawing_law && *moment.drawing_law != rest)
+            for (const std::string_view axis : {"law-x", "law-y"})
+                set(key, axis, text(*moment.drawing_law));
+    }
+
+    static kdl::Node key_node(std::int32_t ticks, const Moment& moment)
+    {
+        kdl::Node key = named_node("key", number(ticks, times));
+        add_laws(key, moment);
+        if (moment.matches_length)
+            set(key, "match", text("length"));
+        if (moment.fill)
+            set(key, "fill", text(*moment.fill));
+        if (moment.stroke)
+            set(key, "stroke", text(*moment.stroke));
+        if (moment.visible)
+            set(key, "visible", truth(*moment.visible));
+        key.children = moment.shapes;
+        return key;
+    }
+
+    void add_width()
+    {
+        if (!shape_.stroke)
+            return;
+        const NumberKeys keys = stored_keys(shape_.stroke->width, writing_.length, widths);
+        const bool is_still = keys.size() == 1;
+        add_quantity(object_, "width", is_still ? held(keys) : keys, is_still ? still_widths : widths,
+                     on_grid(1, widths));
+    }
+
+    /// Only keys make a width 0.
+    static NumberKeys held(NumberKeys keys)
+    {
+        keys.front().value = std::max(keys.front().value, 1);
+        return keys;
+    }
+
+    const art::Node& node_;
+    const Shape& shape_;
+    Writing& writing_;
+    std::vector<StoredKey<art::Drawing>> drawings_;
+    std::string name_ = {};
+    kdl::Node object_ = {};
+    std::map<std::int32_t, Moment> moments_ = {};
+};
+
+/// The node `object` of a node that is a shape.
+kdl::Node object_node(const art::Node& node, Writing& writing) { return ObjectText{node, writing}.write(); }
 
 void add_visibility(kdl::Node& item, const art::Node& node, const Writing& writing)
 {

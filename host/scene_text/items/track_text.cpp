@@ -1,6 +1,6 @@
 #include "host/scene_text/items/track_text.hpp"
 
-#include "host/scene_text/drawings/shape_text.hpp"
+#include "host/scene_text/drawings/stored_drawings.hpp"
 #include "host/scene_text/values/nodes.hpp"
 #include "host/scene_text/values/sums.hpp"
 

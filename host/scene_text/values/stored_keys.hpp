@@ -1,9 +1,9 @@
 #pragma once
 
 #include "host/art/animation/animated.hpp"
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
+#include "host/art/document/document.hpp"
 #include "host/scene_text/values/grid.hpp"
-#include "host/scene_text/values/law_text.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,6 +13,10 @@
 #include <vector>
 
 namespace kfast::scene_text {
+
+/// "constant", "hold", "ease-in" or "bezier(0.1,0,0.9,1)"; control points beyond what laws have are held at
+/// the ends of that.
+std::string law_of(const art::Ease& ease);
 
 /// A key as the scene stores it.
 template <typename Value>
@@ -89,5 +93,8 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
 /// Of a number.
 std::vector<StoredKey<std::int32_t>> stored_keys(const art::Channel& channel, std::int32_t length,
                                                  const Grid& grid);
+
+/// When a node is seen, in a scene that is `length` ticks long: begins at 0.
+std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length);
 
 }

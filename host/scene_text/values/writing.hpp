@@ -1,15 +1,76 @@
 #pragma once
 
+#include "core/pixel/paint_style.hpp"
 #include "host/art/budget.hpp"
+#include "host/art/document/document.hpp"
 #include "host/art/losses.hpp"
-#include "host/scene_text/values/colours.hpp"
-#include "host/scene_text/values/names.hpp"
+#include "host/kdl/document.hpp"
+#include "host/scene_text/values/stored_keys.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::scene_text {
+
+/// `name` without what names of scenes must not hold, 1 to 255 bytes; `default_value` if nothing is left of
+/// it.
+std::string clean_name(std::string_view name, std::string_view default_value);
+
+/// Names that are all different.
+class Names {
+public:
+    /// Never given out.
+    void reserve(std::string_view name) { taken_.emplace(name); }
+    /// The clean name itself, or with a number: "eye", "eye-2".
+    std::string unique(std::string_view name, std::string_view default_value);
+
+private:
+    std::set<std::string, std::less<>> taken_;
+    std::map<std::string, std::size_t, std::less<>> counts_; ///< the highest number given to a name
+};
+
+/// As scenes store it: 8 bits a channel.
+Colour stored_colour(const art::Rgb& colour, double opacity);
+
+/// The palette of the scene that is being written. Every colour has a name from what has it first; black and
+/// white have theirs already.
+class Colours {
+public:
+    explicit Colours(art::Losses& losses);
+
+    /// What the colour is written as: the name of it, or of the nearest one once there are too many.
+    std::string word(Colour colour, std::string_view user);
+
+    /// A node `palette`, unless it would be empty.
+    std::vector<kdl::Node> nodes() const;
+
+private:
+    struct Entry {
+        Colour colour;
+        std::string name;
+        bool is_known = false; ///< without a palette
+    };
+    const Entry& nearest(Colour colour) const;
+
+    std::vector<Entry> entries_;
+    Names names_;
+    art::Losses& losses_;
+};
+
+/// Of a fill or a line: the opacity is that of the colour, and stands still.
+template <typename Paint>
+std::vector<StoredKey<Colour>> paint_keys(const Paint& paint, std::int32_t length)
+{
+    const double opacity = paint.opacity.keys.front().value;
+    return stored_keys(paint.colour, length,
+                       [&](const art::Rgb& colour) { return stored_colour(colour, opacity); });
+}
 
 /// A skeleton and its bones as the scene calls them.
 struct RigNames {

@@ -4,8 +4,7 @@
 #include "host/geometry/shape.hpp"
 #include "host/geometry/svg_path.hpp"
 #include "host/scene/context/limits.hpp"
-#include "host/svg/markup/reported_length.hpp"
-#include "host/svg/markup/shortened.hpp"
+#include "host/svg/markup/length.hpp"
 #include "host/svg/markup/svg_text.hpp"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #include "host/geometry/shape.hpp"
 #include "host/svg/elements/part_reader.hpp"
-#include "host/svg/elements/transform_origin.hpp"
+#include "host/svg/elements/style_reader.hpp"
 #include "host/svg/markup/svg_text.hpp"
 #include "host/svg/markup/transform_list.hpp"
-#include "host/svg/parts/clip_cover.hpp"
 #include "host/svg/parts/clipped_part.hpp"
 
 #include <utility>

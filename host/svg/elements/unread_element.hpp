@@ -7,6 +7,10 @@
 
 namespace kfast::svg {
 
+/// The attribute with its value, "systemLanguage "fr"", by which an element is not drawn here: scenes are
+/// made for those who read English, and kfast has no extensions of SVG. Empty where nothing is in the way.
+std::string unmet_condition(pugi::xml_node element);
+
 /// Adds the loss of an element that is neither a shape nor a group, if its being left out can be seen.
 void report_unread(pugi::xml_node element, const std::string& layer, art::Losses& losses);
 

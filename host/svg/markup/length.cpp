@@ -7,6 +7,17 @@
 #include <cmath>
 
 namespace kfast::svg {
+
+std::string shortened(std::string_view text, std::size_t max)
+{
+    if (text.size() <= max)
+        return std::string{text};
+    std::size_t end = max;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+        --end;
+    return std::string{text.substr(0, end)} + "...";
+}
+
 namespace {
 
 struct Unit {
@@ -113,6 +124,53 @@ std::vector<double> numbers(std::string_view text, std::string_view& rest)
     }
     rest = text.substr(scanner.offset());
     return result;
+}
+
+namespace {
+
+/// Where along an axis the box lies that is smaller than its place: "xMinYMid", beside "xMin" and "xMid".
+double share_before(std::string_view alignment, std::string_view min, std::string_view middle)
+{
+    if (alignment.find(min) != alignment.npos)
+        return 0;
+    return alignment.find(middle) != alignment.npos ? 0.5 : 1;
+}
+
+}
+
+std::optional<ViewBox> view_box(std::string_view text)
+{
+    const auto values = numbers(text);
+    if (values.size() != 4 || !(values[2] > 0) || !(values[3] > 0))
+        return std::nullopt;
+    return ViewBox{values[0], values[1], values[2], values[3]};
+}
+
+art::Affine fitted(const ViewBox& box, double width, double height, std::string_view aspect_ratio)
+{
+    double scale_x = width / box.width;
+    double scale_y = height / box.height;
+    if (aspect_ratio.empty())
+        aspect_ratio = "xMidYMid";
+    if (aspect_ratio.find("none") != aspect_ratio.npos)
+        return art::grown(scale_x, scale_y) * art::moved(-box.x, -box.y);
+    const bool slices = aspect_ratio.find("slice") != aspect_ratio.npos;
+    scale_x = scale_y = slices ? std::max(scale_x, scale_y) : std::min(scale_x, scale_y);
+    return art::moved(share_before(aspect_ratio, "xMin", "xMid") * (width - scale_x * box.width),
+                      share_before(aspect_ratio, "YMin", "YMid") * (height - scale_y * box.height)) *
+           art::grown(scale_x, scale_y) * art::moved(-box.x, -box.y);
+}
+
+std::optional<double> reported_length(std::string_view name, std::string_view text, Axis axis,
+                                      const Measure& measure, const std::string& layer, art::Losses& losses)
+{
+    text = trimmed(text);
+    if (text.empty() || text == "auto")
+        return std::nullopt;
+    const auto value = length(text, axis, measure);
+    if (!value)
+        losses.add({std::string{name} + ": " + shortened(text), layer, {}, "it is as if it were not set"});
+    return value ? std::optional{std::clamp(*value, -farthest, farthest)} : std::nullopt;
 }
 
 }

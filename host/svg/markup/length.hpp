@@ -1,12 +1,22 @@
 #pragma once
 
+#include "host/art/geometry/affine.hpp"
+#include "host/art/losses.hpp"
 #include "host/geometry/outline.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace kfast::svg {
+
+/// The longest name that is kept, in bytes: files repeat them wherever something is used.
+inline constexpr std::size_t longest_name = 255;
+
+/// A text as it is, or its beginning of at most `max` bytes with "..." behind it; never half of a character.
+std::string shortened(std::string_view text, std::size_t max = 40);
 
 /// What lengths are measured by.
 struct Measure {
@@ -36,5 +46,27 @@ std::vector<double> numbers(std::string_view text, std::string_view& rest);
 
 /// Without space at both ends.
 std::string_view trimmed(std::string_view text);
+
+/// A part of a drawing's own coordinates.
+struct ViewBox {
+    double x = 0;
+    double y = 0;
+    double width = 0; ///< above 0
+    double height = 0;
+};
+
+/// Nothing where there is none, or one without an extent.
+std::optional<ViewBox> view_box(std::string_view text);
+
+/// Takes the box into a rectangle from (0, 0) to (width, height), as "preserveAspectRatio" says.
+art::Affine fitted(const ViewBox& box, double width, double height, std::string_view aspect_ratio);
+
+/// Of coordinates in a file: further away nothing is seen, and squares of it are still finite.
+inline constexpr double farthest = 1e7;
+
+/// The length that a property or attribute has, held within `farthest`; nothing where it is not set or
+/// "auto". A text that is no length is nothing as well, and a loss of the layer.
+std::optional<double> reported_length(std::string_view name, std::string_view text, Axis axis,
+                                      const Measure& measure, const std::string& layer, art::Losses& losses);
 
 }

@@ -2,7 +2,10 @@
 
 #include "host/text/source.hpp"
 
+#include <map>
 #include <pugixml.hpp>
+#include <string>
+#include <string_view>
 
 namespace kfast::svg {
 
@@ -19,5 +22,20 @@ pugi::xml_node drawing_of(const pugi::xml_document& document);
 
 /// The id that an attribute "href" names in the same text, with or without the prefix "xlink"; else empty.
 std::string_view referred_id(pugi::xml_node node);
+
+/// The elements of a text by their ids; of several with the same one, the first.
+class ElementIndex {
+public:
+    explicit ElementIndex(pugi::xml_node root);
+
+    /// Null if there is none.
+    pugi::xml_node find(std::string_view id) const;
+
+private:
+    std::map<std::string, pugi::xml_node, std::less<>> elements_;
+};
+
+/// What "url(#id)" refers to, with or without quotes; else empty.
+std::string_view url_id(std::string_view value);
 
 }

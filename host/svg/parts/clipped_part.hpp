@@ -1,12 +1,26 @@
 #pragma once
 
 #include "host/art/budget.hpp"
+#include "host/art/geometry/drawing.hpp"
 #include "host/svg/parts/part.hpp"
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace kfast::svg {
+
+/// Of a drawing of one convex outline: each curve of it as 16 lines. Nothing of others.
+std::optional<std::vector<scene::Vec2>> convex_corners(const art::Drawing& drawing);
+
+/// Whether all of the places lie in the area of a drawing, up to 1/100 px. Only for drawings of one convex
+/// outline; of others it is false, since nobody has asked for more.
+bool covers(const art::Drawing& area, std::span<const scene::Vec2> places);
+
+/// What a filled drawing has inside of a convex area with these corners, in either direction. Its outlines
+/// are closed, and have lines along the edges of the area where something was cut off.
+art::Drawing cut(const art::Drawing& drawing, std::span<const scene::Vec2> area);
 
 /// What a clip does to a part: takes away what lies outside of a convex area. Fills are cut; lines that reach
 /// over the edge of the area stay whole.

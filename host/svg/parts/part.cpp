@@ -1,6 +1,6 @@
 #include "host/svg/parts/part.hpp"
 
-#include "host/art/geometry/curve_length.hpp"
+#include "host/art/geometry/curves.hpp"
 #include "host/geometry/shape.hpp"
 
 #include <algorithm>

@@ -1,13 +1,19 @@
 #pragma once
 
 #include "host/svg/poses/key_options.hpp"
-#include "host/svg/poses/pose_nodes.hpp"
+#include "host/svg/poses/pose_document.hpp"
 
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kfast::svg {
+
+/// The frame that the name of a layer tells: "12", "frame 12", "f 12", "f12: smile", "(s)0.5", "0.5s",
+/// "500ms". Nothing where it tells none.
+std::optional<double> layer_time(std::string_view name, double frame_rate);
 
 /// A layer that is a key drawing.
 struct KeyLayer {

@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace kfast::svg {
+
 namespace {
 
 using art::Affine;

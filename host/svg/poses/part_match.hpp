@@ -1,9 +1,11 @@
 #pragma once
 
 #include "host/svg/parts/part.hpp"
+#include "host/svg/poses/pose_document.hpp"
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace kfast::svg {
@@ -24,5 +26,9 @@ PartMatch matched(std::span<const Part* const> groups);
 
 /// Whether an id is one that drawing programs make up: "path123", "g4-5", "Layer_1".
 bool is_made_up(std::string_view id);
+
+/// What an author can do so that other parts of the drawings become each other, if any that change were found
+/// by their order alone (part_match.hpp); empty if all have names in common, or the same form.
+std::string match_hint(std::span<const Pose> poses);
 
 }

@@ -1,9 +1,146 @@
 #include "host/svg/poses/pose_document.hpp"
 
+#include "host/svg/elements/element_outlines.hpp"
+#include "host/svg/parts/motion.hpp"
+#include "host/svg/poses/moments.hpp"
+#include "host/svg/poses/part_match.hpp"
+#include "host/svg/poses/shape_keys.hpp"
+
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace kfast::svg {
+
+namespace {
+
+using art::Affine;
+
+/// Deeper than this, groups are kept only where they do something: scenes hold 8 in each other.
+constexpr int deepest_named = 4;
+
+void add_ids(const Part& part, std::set<std::string_view>& ids)
+{
+    if (!part.id.empty())
+        ids.insert(part.id);
+    for (const Part& inner : part.parts)
+        add_ids(inner, ids);
+}
+
+/// By an author, and not a shape in two parts.
+bool is_named(const Part& part)
+{
+    return !is_shape(part.kind) && (!part.label.empty() || !is_made_up(part.id));
+}
+
+std::vector<const Part*> parts_of(const Moments& moments)
+{
+    std::vector<const Part*> parts;
+    for (const Moment& moment : moments)
+        parts.push_back(moment.part);
+    return parts;
+}
+
+class NodeMaker {
+public:
+    NodeMaker(std::span<const Pose> poses, art::Budget& budget, art::Losses& losses)
+        : budget_{budget}, losses_{losses}, ids_(poses.size())
+    {
+        for (std::size_t i = 0; i < poses.size(); ++i)
+            add_ids(poses[i].root, ids_[i]);
+    }
+
+    void add(const Moments& moments, std::vector<art::Node>& nodes, int depth)
+    {
+        art::Budget::check_depth(depth);
+        if (first_part(moments).is_group)
+            add_group(moments, nodes, depth);
+        else if (auto node = shape_node(moments, budget_, losses_))
+            nodes.push_back(std::move(*node));
+    }
+
+private:
+    void add_group(const Moments& moments, std::vector<art::Node>& nodes, int depth)
+    {
+        const Part& first = first_part(moments);
+        const auto motion = motion_of(moments);
+        const bool fades = std::ranges::any_of(
+            moments, [](const Moment& moment) { return moment.part != nullptr && moment.part->opacity < 1; });
+        const bool holds_several = first.parts.size() > 1;
+        const bool is_kept =
+            fades || motion || (is_named(first) && holds_several && depth > 0 && depth <= deepest_named);
+        const Moments seen = is_kept ? present(moments) : moments;
+        const auto folds = motion ? std::vector<Affine>(seen.size(), motion->at_rest) : ways(seen);
+        if (!is_kept) {
+            const std::size_t before = nodes.size();
+            add_parts(seen, folds, nodes, depth);
+            if (nodes.size() == before + 1 && is_named(first) && is_made_up(nodes.back().name))
+                nodes.back().name = first.name; // what it holds has no better one
+            return;
+        }
+        art::Group group;
+        add_parts(seen, folds, group.nodes, depth);
+        art::Node node;
+        node.name = first.name;
+        node.opacity = keyed(instants(seen), values_of(seen, [](const Part& part) { return part.opacity; }),
+                             std::equal_to<>{}, budget_);
+        if (group.nodes.empty() || (node.opacity.is_still() && node.opacity.value() <= 0))
+            return;
+        if (motion)
+            node.transform = transform_of(*motion, seen, budget_);
+        node.shown = spans(moments);
+        node.content = std::move(group);
+        nodes.push_back(std::move(node));
+    }
+
+    void add_parts(const Moments& groups, const std::vector<Affine>& folds, std::vector<art::Node>& nodes,
+                   int depth)
+    {
+        const auto parts = parts_of(groups);
+        const PartMatch match = matched(parts);
+        if (match.reordered > 0)
+            losses_.add({"other order of what lies over each other", first_part(groups).layer,
+                         groups[match.reordered].instant.time, "the order of the first drawing"});
+        for (const PartLane& lane : match.lanes) {
+            Moments moments;
+            for (std::size_t i = 0; i < lane.size(); ++i)
+                moments.push_back({groups[i].instant, lane[i], folds[i], groups[i].pose});
+            report_elsewhere(moments, groups);
+            add(moments, nodes, depth + 1);
+        }
+    }
+
+    /// An id that lies in another group there is not found.
+    void report_elsewhere(const Moments& moments, const Moments& groups)
+    {
+        const Part& part = first_part(moments);
+        for (std::size_t i = 0; i < moments.size() && !part.id.empty(); ++i)
+            if (moments[i].part == nullptr && groups[i].part != nullptr &&
+                ids_[moments[i].pose].contains(part.id))
+                losses_.add({"\"" + part.id + "\" lies in another group, or is of another kind", part.layer,
+                             moments[i].instant.time, "it is a figure of its own there"});
+    }
+
+    art::Budget& budget_;
+    art::Losses& losses_;
+    std::vector<std::set<std::string_view>> ids_; ///< of each pose
+};
+
+}
+
+std::vector<art::Node> nodes_of(std::span<const Pose> poses, art::Budget& budget, art::Losses& losses)
+{
+    Moments moments;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        moments.push_back({{poses[i].time, poses[i].ease}, &poses[i].root, {}, i});
+    std::vector<art::Node> nodes;
+    NodeMaker{poses, budget, losses}.add(moments, nodes, 0);
+    return nodes;
+}
+
 namespace {
 
 /// Whether the last moment looks like the first one.

@@ -1,7 +1,6 @@
 #include "host/svg/style/paint.hpp"
 
 #include "host/svg/markup/length.hpp"
-#include "host/svg/markup/shortened.hpp"
 #include "host/svg/markup/svg_text.hpp"
 
 #include <algorithm>

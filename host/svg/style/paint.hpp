@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/art/losses.hpp"
-#include "host/svg/markup/element_index.hpp"
+#include "host/svg/markup/svg_text.hpp"
 #include "host/svg/style/colour.hpp"
 #include "host/svg/style/style.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "host/program/failure.hpp"
 #include "host/svg/markup/length.hpp"
-#include "host/svg/markup/shortened.hpp"
 #include "host/svg/markup/svg_text.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/synfig/bones/bone_pair.hpp"
+#include "host/synfig/bones/posed_rig.hpp"
 #include "host/synfig/reading/layer.hpp"
 
 #include <cstddef>

@@ -1,8 +1,7 @@
 #include "host/synfig/bones/deformation_layer.hpp"
 
 #include "host/synfig/bones/bone_field.hpp"
-#include "host/synfig/bones/divided_drawing.hpp"
-#include "host/synfig/bones/flat_shapes.hpp"
+#include "host/synfig/bones/deformable_shapes.hpp"
 #include "host/synfig/bones/posed_rig.hpp"
 
 #include <algorithm>

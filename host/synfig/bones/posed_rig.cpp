@@ -1,12 +1,13 @@
 #include "host/synfig/bones/posed_rig.hpp"
 
-#include "host/art/geometry/degree.hpp"
+#include "host/art/geometry/affine.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace kfast::synfig {
+
 namespace {
 
 /// Degrees, counter-clockwise, without jumps: as all the angles that the bone has in the file say.

@@ -1,13 +1,19 @@
 #pragma once
 
-#include "host/synfig/bones/bone_pair.hpp"
 #include "host/synfig/reading/layer.hpp"
+#include "host/synfig/values/value.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace kfast::synfig {
+
+/// A bone at rest, and the one that it is posed as, at a moment.
+struct BonePair {
+    Bone rest;
+    Bone pose;
+};
 
 /// What a skeleton is made of: always as many pairs, and the same bone at rest in each.
 struct PosedBones {

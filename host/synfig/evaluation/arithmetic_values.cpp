@@ -1,6 +1,6 @@
 #include "host/synfig/evaluation/arithmetic_values.hpp"
 
-#include "host/art/geometry/degree.hpp"
+#include "host/art/geometry/affine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/synfig/evaluation/value_law.hpp"
+#include "host/synfig/evaluation/evaluator.hpp"
 
 namespace kfast::synfig {
 

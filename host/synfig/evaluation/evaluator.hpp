@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kfast::synfig {
 
@@ -45,5 +47,11 @@ private:
     int depth_ = 0;
     std::size_t steps_ = 0;
 };
+
+/// What a value node is at a time, in seconds.
+using ValueLaw = Value (*)(Evaluator&, const ValueNode&, double);
+
+/// Laws by the names of the elements that have them.
+using ValueLaws = std::vector<std::pair<std::string_view, ValueLaw>>;
 
 }

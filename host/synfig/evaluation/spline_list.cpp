@@ -1,7 +1,7 @@
 #include "host/synfig/evaluation/spline_list.hpp"
 
 #include "host/art/animation/animated.hpp"
-#include "host/synfig/values/presence.hpp"
+#include "host/synfig/values/value_node.hpp"
 
 #include <cmath>
 #include <numbers>

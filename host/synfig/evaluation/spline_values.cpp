@@ -1,7 +1,7 @@
 #include "host/synfig/evaluation/spline_values.hpp"
 
 #include "host/art/animation/animated.hpp"
-#include "host/art/geometry/degree.hpp"
+#include "host/art/geometry/affine.hpp"
 #include "host/synfig/evaluation/spline_list.hpp"
 
 #include <algorithm>

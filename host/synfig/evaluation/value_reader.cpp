@@ -1,7 +1,7 @@
 #include "host/synfig/evaluation/value_reader.hpp"
 
 #include "host/synfig/evaluation/evaluator.hpp"
-#include "host/synfig/values/time_text.hpp"
+#include "host/synfig/values/constant_reader.hpp"
 
 #include <algorithm>
 

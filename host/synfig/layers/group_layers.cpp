@@ -1,6 +1,6 @@
 #include "host/synfig/layers/group_layers.hpp"
 
-#include "host/art/geometry/degree.hpp"
+#include "host/art/geometry/affine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include "host/synfig/layers/group_layers.hpp"
 #include "host/synfig/layers/line_layers.hpp"
 #include "host/synfig/layers/shape_layers.hpp"
-#include "host/synfig/layers/tint.hpp"
 
 #include <algorithm>
 #include <iterator>

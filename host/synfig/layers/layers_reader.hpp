@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/synfig/reading/reading.hpp"
+#include "host/synfig/reading/layer.hpp"
 
 #include <pugixml.hpp>
 #include <vector>

@@ -1,13 +1,86 @@
 #pragma once
 
-#include "host/synfig/reading/reading.hpp"
+#include "host/art/budget.hpp"
+#include "host/art/document/document.hpp"
+#include "host/art/geometry/affine.hpp"
+#include "host/art/losses.hpp"
+#include "host/synfig/evaluation/evaluator.hpp"
+#include "host/synfig/reading/tracing.hpp"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::synfig {
+
+/// From frames of the scene to seconds of a canvas, which may run faster, later, or again and again.
+class Driver {
+public:
+    /// What the time of what is inside is made of that around it, both in seconds.
+    struct Gear {
+        std::function<double(double)> inside;
+        /// The times around, from the first to the second one, that are the third one inside.
+        std::function<std::vector<double>(double, double, double)> around;
+    };
+
+    Driver(double begin, double frame_rate) : begin_{begin}, frame_rate_{frame_rate} {}
+
+    double seconds(double frame) const;
+    /// All frames of the scene, up to `last`, that are a time of the canvas.
+    std::vector<double> frames(double seconds, double last) const;
+    Driver with(Gear gear) const;
+    bool is_plain() const { return gears_.empty(); } ///< goes with the scene
+
+private:
+    double begin_;
+    double frame_rate_;
+    std::vector<Gear> gears_; ///< the outermost first
+};
+
+/// Runs `factor` times as fast, and is `offset` at the time 0. Both may change.
+Driver::Gear running_gear(std::function<double(double)> factor, std::function<double(double)> offset);
+/// Runs from `inside` on for a duration above 0 or below, again and again, since and before `local`.
+Driver::Gear looping_gear(double inside, double local, double duration, double shift_before);
+/// Is as a value of the file says.
+Driver::Gear free_gear(std::function<double(double)> time);
+
+/// A tree of bones as a skeleton.
+struct LinkedRig {
+    std::size_t rig = 0;                      ///< index into Reading::rigs
+    std::map<std::string, std::size_t> bones; ///< guids, and indices into the bones of the rig
+};
+
+/// What reading goes along with, through the whole file.
+struct Reading {
+    const XmlFile& file;
+    ValueReader& values;
+    Evaluator& evaluator;
+    art::Losses& losses;
+    art::Budget& budget;
+    art::Affine to_canvas;      ///< from units of the file, y up, to pixels
+    double pixels_per_unit = 1; ///< above 0
+    double width = 0;           ///< of the canvas, in pixels
+    double height = 0;
+    double begin = 0; ///< seconds
+    double frame_rate = 24;
+    double frames = 1;
+    std::array<double, 3> gamma{1, 1, 1}; ///< of red, green and blue
+    std::vector<art::Rig> rigs;
+    /// Of the bones that things are linked to, by the guid of the bone that all of a tree hangs on.
+    std::map<std::string, LinkedRig> linked_rigs;
+};
+
+/// Where layers stand.
+struct Scope {
+    Driver clock;
+    std::string path; ///< names from the outermost: "body / arm"
+    int depth = 0;
+    std::function<double(double)> line_scale_factor; ///< by frames; a factor of the width of all lines
+    bool is_deformed = false;                        ///< by a skeleton deformation above
+};
 
 /// A layer of the file, and what its parameters are at frames of the scene.
 class Layer {

@@ -1,11 +1,69 @@
 #include "host/synfig/values/value.hpp"
 
-#include "host/art/geometry/degree.hpp"
+#include "host/art/animation/animated.hpp"
+#include "host/art/geometry/affine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 namespace kfast::synfig {
+
+Colour weighted(const Colour& colour)
+{
+    return {colour.red * colour.alpha, colour.green * colour.alpha, colour.blue * colour.alpha, colour.alpha};
+}
+
+Colour unweighted(const Colour& colour)
+{
+    if (colour.alpha <= 0)
+        return {0, 0, 0, 0};
+    return {colour.red / colour.alpha, colour.green / colour.alpha, colour.blue / colour.alpha, colour.alpha};
+}
+
+Colour mixed(const Colour& from, const Colour& to, double share)
+{
+    const auto channel = [share](double left, double right) { return left + share * (right - left); };
+    return {channel(from.red, to.red), channel(from.green, to.green), channel(from.blue, to.blue),
+            channel(from.alpha, to.alpha)};
+}
+
+Colour Gradient::at(double position) const
+{
+    if (stops.empty())
+        return {};
+    const auto next = std::ranges::upper_bound(stops, position, {}, &GradientStop::position);
+    if (next == stops.begin())
+        return stops.front().colour;
+    if (next == stops.end())
+        return stops.back().colour;
+    const GradientStop& before = *std::prev(next);
+    const double share = (position - before.position) / (next->position - before.position);
+    return unweighted(mixed(weighted(before.colour), weighted(next->colour), share));
+}
+
+Colour Gradient::mean() const
+{
+    if (stops.empty())
+        return {};
+    Colour total{0, 0, 0, 0};
+    const auto add = [&total](const Colour& from, const Colour& to, double length) {
+        const Colour middle = mixed(weighted(from), weighted(to), 0.5);
+        total = {total.red + length * middle.red, total.green + length * middle.green,
+                 total.blue + length * middle.blue, total.alpha + length * middle.alpha};
+    };
+    add(stops.front().colour, stops.front().colour, stops.front().position);
+    for (std::size_t i = 1; i < stops.size(); ++i)
+        add(stops[i - 1].colour, stops[i].colour, stops[i].position - stops[i - 1].position);
+    add(stops.back().colour, stops.back().colour, 1 - stops.back().position);
+    if (total.alpha > 0)
+        return unweighted(total);
+    Colour hue = stops.front().colour;
+    hue.alpha = 0;
+    return hue;
+}
+
 namespace {
 
 Vec2 directed(double length, Vec2 along)
@@ -104,5 +162,25 @@ Side side_of(double number)
 Value sum(const Value& left, const Value& right) { return combined(left, right, 1); }
 Value difference(const Value& left, const Value& right) { return combined(left, right, -1); }
 Value product(const Value& value, double factor) { return combined(value, value, factor - 1); }
+
+double width_at(const List& points, double position, double default_value)
+{
+    const WidthPoint* before = nullptr;
+    const WidthPoint* behind = nullptr;
+    for (const Value& entry : points.entries) {
+        const WidthPoint* point = std::get_if<WidthPoint>(&entry.held);
+        if (!point)
+            continue;
+        if (point->position <= position && (!before || point->position >= before->position))
+            before = point;
+        if (point->position >= position && (!behind || point->position < behind->position))
+            behind = point;
+    }
+    if (!before || !behind)
+        return before ? before->width : behind ? behind->width : default_value;
+    const double span = behind->position - before->position;
+    return span <= 0 ? before->width
+                     : art::mixed(before->width, behind->width, (position - before->position) / span);
+}
 
 }

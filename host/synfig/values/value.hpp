@@ -2,7 +2,6 @@
 
 #include "host/art/geometry/affine.hpp"
 #include "host/geometry/outline.hpp"
-#include "host/synfig/values/gradient.hpp"
 
 #include <string>
 #include <utility>
@@ -10,6 +9,34 @@
 #include <vector>
 
 namespace kfast::synfig {
+
+/// As in the file: linear or not, as the canvas says by its gamma; not limited to 0 to 1.
+struct Colour {
+    double red = 0;
+    double green = 0;
+    double blue = 0;
+    double alpha = 1;
+};
+
+struct GradientStop {
+    double position = 0; ///< 0 to 1
+    Colour colour;
+};
+
+/// Between two stops colours go as Synfig mixes them: what is transparent has no say in the hue.
+struct Gradient {
+    std::vector<GradientStop> stops; ///< their positions rise; none: black
+
+    Colour at(double position) const;
+    /// From 0 to 1, all along; without opacity the hue of the stops.
+    Colour mean() const;
+};
+
+/// A colour with its channels times its opacity.
+Colour weighted(const Colour& colour);
+/// The other way; black where there is no opacity.
+Colour unweighted(const Colour& colour);
+Colour mixed(const Colour& from, const Colour& to, double share);
 
 using scene::Vec2;
 
@@ -104,5 +131,9 @@ Side side_of(double number);
 Value sum(const Value& left, const Value& right);
 Value difference(const Value& left, const Value& right);
 Value product(const Value& value, double factor);
+
+/// Of a list of width points, sorted or not: the width in between, straight from one to the next;
+/// `default_value` where there is none.
+double width_at(const List& points, double position, double default_value);
 
 }

@@ -3,7 +3,7 @@
 HEAD = """// Written by scripts/calibrate.
 
 #include "host/fit/cost_table.hpp"
-#include "host/fit/op_names.hpp"
+#include "host/fit/op_counts.hpp"
 
 #include <array>
 #include <string_view>

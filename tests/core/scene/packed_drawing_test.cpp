@@ -1,9 +1,8 @@
 #include "core/scene/packed_drawing.hpp"
 
-#include "host/compiler/match/model_reader.hpp"
+#include "host/compiler/match/match_by_count.hpp"
 #include "host/compiler/pack/drawing_pool.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
-#include "host/compiler/pack/pack_form.hpp"
 #include "tests/bytes.hpp"
 #include "tests/core/random_strokes.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/player/drawing_reports.hpp"
+#include "host/player/received_drawing.hpp"
 #include "tests/compiled.hpp"
 #include "tests/firmware/link/link_bench.hpp"
 

@@ -5,7 +5,7 @@
 #include "firmware/run/panel_mirror.hpp"
 #include "firmware/run/run.hpp"
 #include "host/player/received_drawing.hpp"
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 #include "tests/firmware/link/pretend_pipe.hpp"
 #include "tests/firmware/link/taking_turns.hpp"
 #include "tests/firmware/run/pretend_pins.hpp"

@@ -1,4 +1,4 @@
-#include "host/archive/zip_file.hpp"
+#include "host/archive/archive.hpp"
 
 #include "host/program/failure.hpp"
 #include "tests/host/archive/packed.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "host/art/document/document.hpp"
-#include "host/art/document/every_animation.hpp"
 #include "host/art/geometry/affine.hpp"
 
 #include <cmath>

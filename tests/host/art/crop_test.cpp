@@ -1,4 +1,4 @@
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
 #include "host/art/prepare/prepare.hpp"
 #include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"

@@ -1,4 +1,4 @@
-#include "host/art/geometry/dashes.hpp"
+#include "host/art/geometry/drawing.hpp"
 #include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
 
 #include "tests/rounds.hpp"
 

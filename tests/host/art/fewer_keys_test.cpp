@@ -1,6 +1,6 @@
 #include "host/art/prepare/fewer_keys.hpp"
 
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
 #include "host/art/animation/fitted_ease.hpp"
 #include "host/art/document/value_distance.hpp"
 #include "host/geometry/shape.hpp"

@@ -1,6 +1,6 @@
 #include "host/art/prepare/merged_curves.hpp"
 
-#include "host/art/geometry/cubic_piece.hpp"
+#include "host/art/geometry/curves.hpp"
 #include "host/geometry/shape.hpp"
 #include "tests/host/art/art_parts.hpp"
 #include "tests/host/art/drawn_distance.hpp"

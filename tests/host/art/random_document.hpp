@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/art/animation/ease_part.hpp"
+#include "host/art/animation/ease.hpp"
 #include "host/art/document/document.hpp"
 
 #include <algorithm>

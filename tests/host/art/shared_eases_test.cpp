@@ -1,4 +1,4 @@
-#include "host/art/prepare/shared_eases.hpp"
+#include "host/art/prepare/prepare.hpp"
 
 #include <doctest/doctest.h>
 

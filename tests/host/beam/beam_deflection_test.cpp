@@ -1,6 +1,6 @@
 #include "host/beam/beam_deflection.hpp"
 
-#include "host/beam/beam_display.hpp"
+#include "host/beam/beam_screen.hpp"
 #include "host/beam/profile_choice.hpp"
 
 #include <algorithm>

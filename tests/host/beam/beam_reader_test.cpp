@@ -1,4 +1,4 @@
-#include "host/beam/beam_reader.hpp"
+#include "host/beam/beam_text.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

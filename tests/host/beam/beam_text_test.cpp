@@ -1,6 +1,5 @@
 #include "host/beam/beam_text.hpp"
 
-#include "host/beam/beam_reader.hpp"
 #include "host/beam/profile_choice.hpp"
 #include "tests/rounds.hpp"
 

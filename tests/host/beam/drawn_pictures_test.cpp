@@ -1,7 +1,6 @@
-#include "host/beam/drawn_pictures.hpp"
+#include "host/beam/beam_screen_source.hpp"
 
-#include "host/beam/beam_clock.hpp"
-#include "host/beam/point_hash.hpp"
+#include "host/beam/beam_source.hpp"
 #include "tests/compiled.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "host/beam/ilda_palette.hpp"
+#include "host/beam/ilda_format.hpp"
 #include "host/beam/ilda_reader.hpp"
 #include "host/beam/ilda_writer.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/commands/live/line_source.hpp"
+#include "host/commands/live/live_stream.hpp"
 #include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/help/command_words.hpp"
-#include "host/commands/help/old_names.hpp"
+#include "host/commands/help/usage_mistake.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "core/scene/scene_view.hpp"
 #include "host/commands/flash/flash_environment.hpp"
-#include "host/config/firmware_file.hpp"
+#include "host/config/firmware_images.hpp"
 #include "host/config/pico_flash.hpp"
 #include "host/program/interruption.hpp"
 #include "tests/host/flash/pretend_boot_loader.hpp"

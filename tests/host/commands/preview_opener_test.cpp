@@ -1,6 +1,6 @@
 #include "host/commands/render/preview_opener.hpp"
 
-#include "host/preview/viewer/scene_layers.hpp"
+#include "host/preview/viewer/opened_scene.hpp"
 #include "host/program/failure.hpp"
 #include "tests/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/commands/text/progress_text.hpp"
+#include "host/commands/text/progress.hpp"
 
 #include <doctest/doctest.h>
 

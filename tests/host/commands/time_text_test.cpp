@@ -1,4 +1,4 @@
-#include "host/commands/text/time_text.hpp"
+#include "host/commands/text/quantity_text.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/compiler/match/even_stroke.hpp"
+#include "host/compiler/match/measured_stroke.hpp"
 
 #include "tests/host/compiler/scene_parts.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/compiler/pack/law_table.hpp"
+#include "host/compiler/pack/key_time_writer.hpp"
 
 #include "tests/bytes.hpp"
 #include "tests/host/compiler/scene_parts.hpp"

@@ -1,6 +1,5 @@
 #include "host/compiler/match/match_by_count.hpp"
 
-#include "host/compiler/match/model_reader.hpp"
 #include "tests/host/compiler/scene_parts.hpp"
 
 #include <doctest/doctest.h>

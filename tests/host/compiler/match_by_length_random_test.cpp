@@ -1,6 +1,6 @@
 #include "core/math/fixed.hpp"
 #include "core/pose/equalize.hpp"
-#include "host/compiler/match/model_reader.hpp"
+#include "host/compiler/match/match_by_count.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "core/pose/equalize.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "host/compiler/match/model_reader.hpp"
+#include "host/compiler/match/match_by_count.hpp"
 #include "host/geometry/shape.hpp"
 #include "host/geometry/svg_path.hpp"
 #include "tests/host/compiler/matched_drawings.hpp"

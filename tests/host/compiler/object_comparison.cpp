@@ -2,7 +2,7 @@
 
 #include "core/scene/input_view.hpp"
 #include "host/compiler/carry/backbone_timeline.hpp"
-#include "host/compiler/carry/deformer.hpp"
+#include "host/compiler/carry/deformed_tweens.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
 #include "host/compiler/match/match_by_length.hpp"
 #include "host/compiler/write/key_writer.hpp"

@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 #include "core/scene/scene_view.hpp"
-#include "host/compiler/match/even_stroke.hpp"
+#include "host/compiler/match/measured_stroke.hpp"
 #include "host/compiler/write_scene.hpp"
 #include "tests/host/compiler/bone_comparison.hpp"
 #include "tests/host/compiler/input_comparison.hpp"

@@ -1,4 +1,4 @@
-#include "host/config/config_reader.hpp"
+#include "host/config/config_text.hpp"
 
 #include "firmware/settings/controller_facts.hpp"
 

@@ -3,7 +3,6 @@
 #include "firmware/settings/board_record.hpp"
 #include "firmware/settings/board_rules.hpp"
 #include "host/config/config_input.hpp"
-#include "host/config/config_reader.hpp"
 #include "host/config/configurations.hpp"
 #include "tests/host/config/random_settings.hpp"
 

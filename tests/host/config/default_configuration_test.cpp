@@ -1,6 +1,6 @@
 #include "boards/pico/app/default_settings.hpp"
 #include "host/config/config_input.hpp"
-#include "host/config/default_configuration.hpp"
+#include "host/config/configurations.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,7 @@
 
 #include "firmware/settings/board_rules.hpp"
 #include "host/config/config_input.hpp"
-#include "host/config/pico_drawing.hpp"
-#include "host/config/pico_edge.hpp"
+#include "host/config/pico_pins.hpp"
 #include "tests/host/config/random_settings.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "host/fit/lateness.hpp"
+#include "host/fit/speed.hpp"
 
 #include "host/fit/wording.hpp"
 

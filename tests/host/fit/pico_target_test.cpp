@@ -1,4 +1,4 @@
-#include "host/fit/pico_target.hpp"
+#include "host/fit/board_choice.hpp"
 
 #include "firmware/settings/controller_facts.hpp"
 

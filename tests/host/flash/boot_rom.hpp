@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/flash/usb_pipe.hpp"
+#include "host/flash/picoboot.hpp"
 #include "tests/host/flash/nor_flash.hpp"
 
 #include <array>

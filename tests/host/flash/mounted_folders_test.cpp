@@ -1,4 +1,4 @@
-#include "host/flash/mounted_folders.hpp"
+#include "host/flash/uf2_drive.hpp"
 
 #include <doctest/doctest.h>
 

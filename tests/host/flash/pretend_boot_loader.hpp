@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/flash/boot_loader.hpp"
+#include "host/flash/boot_board.hpp"
 #include "host/program/failure.hpp"
 #include "tests/host/flash/nor_flash.hpp"
 

@@ -1,7 +1,6 @@
 #include "host/flash/uf2_contents.hpp"
 
 #include "host/flash/uf2.hpp"
-#include "host/flash/uf2_block.hpp"
 
 #include <doctest/doctest.h>
 

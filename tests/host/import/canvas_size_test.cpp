@@ -1,4 +1,4 @@
-#include "host/import/canvas_size.hpp"
+#include "host/import/extent.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,4 @@
-#include "host/link/device_choice.hpp"
-#include "host/link/sim_socket.hpp"
+#include "host/link/device_address.hpp"
 #include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,6 @@
 
 #include "firmware/link/report.hpp"
 #include "host/link/report_pipe.hpp"
-#include "host/link/unplugged.hpp"
 #include "tests/firmware/link/bad_pipe.hpp"
 #include "tests/firmware/link/link_bench.hpp"
 

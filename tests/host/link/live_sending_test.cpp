@@ -1,5 +1,5 @@
-#include "host/link/live_sending.hpp"
-#include "host/link/refusal.hpp"
+#include "host/link/live_feed.hpp"
+#include "host/link/session.hpp"
 #include "tests/host/link/device_pipe.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "host/link/on_each.hpp"
+#include "host/link/remote_device.hpp"
 #include "host/program/interruption.hpp"
 #include "tests/host/link/scripted_pipe.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/link/refusal.hpp"
+#include "host/link/session.hpp"
 #include "host/link/scene_upload.hpp"
 #include "host/program/interruption.hpp"
 #include "tests/host/link/device_pipe.hpp"

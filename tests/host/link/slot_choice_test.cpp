@@ -1,4 +1,4 @@
-#include "host/link/slot_choice.hpp"
+#include "host/link/scene_upload.hpp"
 #include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "host/lottie/values/channel.hpp"
 
-#include "host/lottie/values/member.hpp"
+#include "host/lottie/values/json.hpp"
 
 #include <doctest/doctest.h>
 

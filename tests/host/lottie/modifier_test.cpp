@@ -1,4 +1,4 @@
-#include "host/art/geometry/curve_length.hpp"
+#include "host/art/geometry/curves.hpp"
 #include "tests/host/lottie/shape_list.hpp"
 
 #include <doctest/doctest.h>

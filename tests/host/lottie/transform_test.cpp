@@ -1,6 +1,6 @@
 #include "tests/host/lottie/lottie_text.hpp"
 
-#include "host/art/document/matrix_at.hpp"
+#include "host/art/document/document.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

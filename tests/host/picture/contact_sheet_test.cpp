@@ -1,6 +1,6 @@
 #include "host/picture/contact_sheet.hpp"
 
-#include "host/picture/picture_part.hpp"
+#include "host/picture/picture.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/picture/film_delay.hpp"
+#include "host/picture/film.hpp"
 
 #include "core/time/time.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/picture/film_moment.hpp"
+#include "host/picture/film.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/picture/picture_part.hpp"
+#include "host/picture/picture.hpp"
 
 #include "host/program/failure.hpp"
 

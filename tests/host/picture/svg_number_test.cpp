@@ -1,4 +1,4 @@
-#include "host/picture/svg_number.hpp"
+#include "host/picture/svg_attributes.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,5 @@
 #include "host/preview/controls/help_pages.hpp"
 
-#include "host/preview/controls/open_help.hpp"
 #include "host/preview/painter/text_columns.hpp"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,6 @@
 #include "host/beam/beam_screen_source.hpp"
 #include "host/beam/profile_choice.hpp"
 #include "host/picture/picture.hpp"
-#include "host/preview/overlay/label_places.hpp"
 #include "host/preview/overlay/overlay_marks.hpp"
 #include "tests/host/preview/named_scene.hpp"
 

@@ -2,7 +2,6 @@
 #include "host/preview/painter/raster_painter.hpp"
 #include "host/preview/panes/picture_pane.hpp"
 #include "host/preview/panes/side_panel.hpp"
-#include "host/preview/panes/status_line.hpp"
 #include "host/preview/panes/text_box.hpp"
 #include "host/preview/panes/time_line_pane.hpp"
 #include "tests/host/preview/recording_painter.hpp"

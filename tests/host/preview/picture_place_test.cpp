@@ -1,4 +1,4 @@
-#include "host/preview/panes/picture_place.hpp"
+#include "host/preview/panes/picture_pane.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/preview/painter/placement.hpp"
+#include "host/preview/painter/scaled_picture.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "host/preview/painter/area.hpp"
 #include "host/preview/painter/painter.hpp"
 #include "host/preview/painter/text_columns.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/preview/viewer/scene_layers.hpp"
+#include "host/preview/viewer/opened_scene.hpp"
 
 #include "tests/host/preview/opened_scenes.hpp"
 #include "tests/temporary_folder.hpp"

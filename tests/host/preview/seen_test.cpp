@@ -1,4 +1,4 @@
-#include "host/preview/overlay/seen_bones.hpp"
+#include "host/preview/overlay/posed_scene.hpp"
 #include "host/preview/overlay/seen_strokes.hpp"
 
 #include "tests/host/preview/named_scene.hpp"

@@ -1,4 +1,4 @@
-#include "host/preview/terminal/terminal_colours.hpp"
+#include "host/preview/terminal/half_blocks.hpp"
 
 #include <doctest/doctest.h>
 

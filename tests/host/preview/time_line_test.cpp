@@ -1,4 +1,4 @@
-#include "host/preview/painter/area.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/panes/theme.hpp"
 #include "host/preview/panes/time_line.hpp"
 #include "host/preview/panes/time_line_pane.hpp"

@@ -1,4 +1,4 @@
-#include "host/preview/terminal/typed_keys.hpp"
+#include "host/preview/terminal/borrowed_terminal.hpp"
 
 #include <doctest/doctest.h>
 

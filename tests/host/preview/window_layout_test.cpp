@@ -1,4 +1,4 @@
-#include "host/preview/painter/area.hpp"
+#include "host/preview/painter/painter.hpp"
 #include "host/preview/window/window_layout.hpp"
 #include "tests/host/preview/recording_painter.hpp"
 

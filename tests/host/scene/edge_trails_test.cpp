@@ -1,4 +1,4 @@
-#include "host/geometry/edge_trails.hpp"
+#include "host/geometry/wire.hpp"
 
 #include "tests/rounds.hpp"
 

@@ -3,7 +3,6 @@
 #include "core/bytes/crc32.hpp"
 #include "host/fonts/dejavu_faces.hpp"
 #include "host/program/failure.hpp"
-#include "host/scene/font/hershey_faces.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/scene_text/values/names.hpp"
+#include "host/scene_text/values/writing.hpp"
 
 #include <doctest/doctest.h>
 

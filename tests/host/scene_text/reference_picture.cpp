@@ -1,7 +1,7 @@
 #include "tests/host/scene_text/reference_picture.hpp"
 
 #include "host/art/geometry/affine.hpp"
-#include "host/art/geometry/curve_length.hpp"
+#include "host/art/geometry/curves.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/simulator/board_source.hpp"
+#include "host/simulator/simulated_board.hpp"
 
 #include "firmware/settings/controller_facts.hpp"
 #include "host/picture/player_source.hpp"

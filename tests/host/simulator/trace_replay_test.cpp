@@ -1,4 +1,4 @@
-#include "host/simulator/trace_replay.hpp"
+#include "host/simulator/trace.hpp"
 
 #include "host/program/failure.hpp"
 #include "tests/host/simulator/trace_bytes.hpp"

@@ -2,7 +2,7 @@
 
 #include "firmware/settings/controller_facts.hpp"
 #include "host/simulator/controller_model.hpp"
-#include "host/simulator/painted_frame.hpp"
+#include "host/simulator/glass.hpp"
 #include "tests/bytes.hpp"
 
 #include <doctest/doctest.h>

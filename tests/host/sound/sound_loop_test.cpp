@@ -1,5 +1,5 @@
-#include "host/sound/sound_loop.hpp"
-#include "host/sound/sound_profile.hpp"
+#include "host/sound/wave_file.hpp"
+#include "host/sound/deflection.hpp"
 #include "tests/compiled.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include "host/sound/tour.hpp"
-#include "host/sound/tour_player.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

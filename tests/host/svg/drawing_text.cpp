@@ -1,7 +1,6 @@
 #include "tests/host/svg/drawing_text.hpp"
 
 #include "host/program/failure.hpp"
-#include "host/svg/read_keys.hpp"
 #include "host/svg/read_svg.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include "host/program/failure.hpp"
-#include "host/svg/read_keys.hpp"
 #include "host/svg/read_svg.hpp"
 #include "tests/host/svg/drawing_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "host/svg/markup/length.hpp"
 #include "host/svg/markup/transform_list.hpp"
-#include "host/svg/poses/layer_time.hpp"
+#include "host/svg/poses/layer_keys.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/synfig/values/time_text.hpp"
+#include "host/synfig/values/constant_reader.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "host/text/excerpt.hpp"
+#include "host/text/source.hpp"
 
 #include <doctest/doctest.h>
 

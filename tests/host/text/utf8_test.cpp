@@ -1,4 +1,4 @@
-#include "host/text/utf8.hpp"
+#include "host/text/characters.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,7 @@
-#include "host/udev/udev_rule.hpp"
+#include "host/udev/udev.hpp"
 
 #include "firmware/usb/usb_id.hpp"
 #include "host/flash/boot_usb_id.hpp"
-#include "host/udev/not_allowed.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "host/art/geometry/drawing.hpp"
+#include "host/kdl/document.hpp"
+
+#include <span>
+#include <vector>
+
+namespace kfast::scene_text {
+
+/// The shapes that draw each of the drawings of an object, whose points are where they are stored: circles,
+/// rectangles and so on where they are, an outline being of one kind in all drawings, and else paths. `empty`
+/// for a drawing that is.
+std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* const> drawings);
+
+/// Makes symbols of drawings that stand in several keys of objects, unless they are short, and lets the keys
+/// use them. Returns the symbols.
+std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& items);
+
+}

@@ -1,0 +1,60 @@
+#include "host/simulator/simulated_board.hpp"
+
+#include "core/player.hpp"
+#include "firmware/run/run.hpp"
+#include "host/program/failure.hpp"
+
+namespace kfast {
+
+namespace {
+
+template <Panel P>
+class BoardSource : public FrameSource {
+public:
+    BoardSource(std::span<const std::byte> scene, const PanelSettings& settings)
+        : board_{scene, settings, 0}, player_{*Player::create(*SceneView::parse(scene), board_.panel().size(),
+                                                              Fit::contain, board_.block())}
+    {
+        begin_panel(board_);
+        light_panel(board_); // nobody sees it before the first picture
+    }
+    BoardSource(const BoardSource&) = delete;
+
+    const Frame& show(Time moment) override
+    {
+        player_.show_moment(moment);
+        draw_frame(board_, player_);
+        if (const auto mistake = board_.bus_error())
+            throw Failure("the simulated panel was driven wrongly: " + *mistake);
+        frame_ = board_.picture();
+        detail_.add(player_.picture());
+        return frame_;
+    }
+    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    {
+        return player_.set_drawing(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
+    std::string facts() const override { return detail_.text(); }
+    Detail min_detail() const override { return detail_.min(); }
+    Pace pace() const override { return Pace::by_frames; }
+
+private:
+    SimulatedBoard<P> board_;
+    Player player_;
+    Frame frame_;
+    ShownDetail detail_;
+};
+
+}
+
+std::unique_ptr<FrameSource> open_board_source(std::span<const std::byte> scene,
+                                               const PanelSettings& settings)
+{
+    return with_driver<SimulatedBus>(settings.controller, [&]<Panel P>() -> std::unique_ptr<FrameSource> {
+        return std::make_unique<BoardSource<P>>(scene, settings);
+    });
+}
+
+}

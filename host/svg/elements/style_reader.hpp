@@ -1,0 +1,36 @@
+#pragma once
+
+#include "host/art/budget.hpp"
+#include "host/art/geometry/affine.hpp"
+#include "host/art/losses.hpp"
+#include "host/svg/markup/length.hpp"
+#include "host/svg/parts/part.hpp"
+#include "host/svg/style/style.hpp"
+
+#include <string>
+
+namespace kfast::svg {
+
+/// The affine about the point that "transform-origin" names in the view box; as it is without one.
+art::Affine about_origin(const art::Affine& affine, const Style& style, const Measure& measure);
+
+/// Whether that point belongs to the box around the element instead: "transform-box: fill-box".
+bool turns_about_own_box(const Style& style);
+
+/// Then, the part's own transform about it.
+art::Affine about_own_box(const Part& part, const Style& style);
+
+/// What is said of the size of letters, in the units around; as outside if nothing is.
+double font_size(const Style& style, const Measure& outside);
+
+/// How a line is drawn that is painted with `ink`; nothing where it has no width.
+std::optional<Pen> pen(const Ink& ink, const Style& style, const Measure& measure, const std::string& layer,
+                       art::Losses& losses);
+
+/// The drawing as its line is dashed, or as it is where it is not. `path_length` is what the author says its
+/// length is, 0 if nothing; `scale` is how much larger it is seen on the canvas.
+art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const Measure& measure,
+                         double path_length, double scale, const std::string& layer, art::Budget& budget,
+                         art::Losses& losses);
+
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/bytes/code_point.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace kfast {
+
+/// `value` must be a scalar value.
+void append_utf8(std::string& text, char32_t value);
+
+/// The character that a text in UTF-16 begins with, behind a byte order mark, if it is one of ASCII; else 0.
+/// Without a mark, a text is taken for UTF-16 if its first character is one that texts begin with: printed, a
+/// space, a tab or the end of a line.
+char first_of_utf16(std::string_view text);
+
+/// Whether it has a byte order mark of UTF-16, or begins as such a text does.
+bool seems_utf16(std::string_view text);
+
+/// A code point as it may be sent to a terminal, and the columns it takes there.
+struct Glyph {
+    std::string text;
+    std::size_t columns = 1;
+};
+
+/// Controls, text direction marks and invalid bytes come out as <U+001B> or <0xFF>; a tab as four spaces.
+Glyph glyph(CodePoint point);
+
+/// `text` with every code point as its glyph, line ends included.
+std::string visible(std::string_view text);
+
+/// `text` for a message: visible, in quotes, and cut with … when it is long.
+std::string in_quotes(std::string_view text);
+
+}

@@ -1,0 +1,124 @@
+#include "host/words/scene_words.hpp"
+
+#include "host/text/number_text.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace kfast {
+
+namespace {
+
+/// In the order of Feature.
+constexpr std::array<std::string_view, feature_count> names{
+    "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings"};
+
+}
+
+std::string_view feature_name(Feature feature) { return names[static_cast<std::size_t>(feature)]; }
+
+std::vector<std::string> feature_names(FeatureSet set)
+{
+    std::vector<std::string> found;
+    for (const Feature feature : features_in(set))
+        found.emplace_back(feature_name(feature));
+    return found;
+}
+
+std::string features_text(FeatureSet set)
+{
+    std::string text;
+    for (const std::string& name : feature_names(set))
+        text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "no features" : text;
+}
+
+std::vector<Feature> features_in(FeatureSet set)
+{
+    std::vector<Feature> found;
+    for (std::size_t number = 0; number < feature_count; ++number)
+        if (set.has(static_cast<Feature>(number)))
+            found.push_back(static_cast<Feature>(number));
+    return found;
+}
+
+double written_amount(Property property, double stored)
+{
+    switch (property) {
+    case Property::rotation_x:
+    case Property::rotation_y:
+    case Property::rotation:
+        return stored * 360.0 / 65536;
+    case Property::scale_x:
+    case Property::scale_y:
+        return stored / scale_one;
+    case Property::along:
+        return stored / path_whole;
+    case Property::opacity:
+        return stored / 255.0;
+    case Property::order:
+    case Property::visible:
+        return stored;
+    default:
+        return stored / 16.0;
+    }
+}
+
+std::string colour_text(Colour colour)
+{
+    std::array<char, 10> text{};
+    std::snprintf(text.data(), text.size(), colour.opacity == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x",
+                  static_cast<unsigned>(colour.red), static_cast<unsigned>(colour.green),
+                  static_cast<unsigned>(colour.blue), static_cast<unsigned>(colour.opacity));
+    return text.data();
+}
+
+InputView input_of(const SceneView& scene, Driver driver)
+{
+    InputCursor inputs = scene.inputs();
+    for (int before = 1; before < driver.input; ++before)
+        inputs.next();
+    return inputs.next();
+}
+
+double written_moment(const SceneView& scene, Driver driver, Time moment)
+{
+    if (driver.is_time())
+        return in_frames(moment);
+    const InputView input = input_of(scene, driver);
+    const double share = static_cast<double>(moment.ticks) / whole_input.ticks;
+    return (input.min + share * (static_cast<double>(input.max) - input.min)) / 1000;
+}
+
+namespace {
+
+std::string control_text(std::int16_t control)
+{
+    return rounded_text(static_cast<double>(control) / VelocityLaw::control_one);
+}
+
+}
+
+std::string law_text(const VelocityLaw& law)
+{
+    switch (law.kind) {
+    case VelocityLaw::Kind::constant:
+        return "constant";
+    case VelocityLaw::Kind::accelerate:
+        return "accelerate";
+    case VelocityLaw::Kind::decelerate:
+        return "decelerate";
+    case VelocityLaw::Kind::accelerate_decelerate:
+        return "accelerate-decelerate";
+    case VelocityLaw::Kind::hold:
+        return "hold";
+    case VelocityLaw::Kind::steps:
+        return "steps(" + std::to_string(law.steps) + ')';
+    case VelocityLaw::Kind::bezier:
+        return "bezier(" + control_text(law.x1) + ',' + control_text(law.y1) + ',' + control_text(law.x2) +
+               ',' + control_text(law.y2) + ')';
+    }
+    return "";
+}
+
+}
