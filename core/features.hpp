@@ -115,22 +115,6 @@ constexpr bool Features::has(Feature feature) const
     return false;
 }
 
-// The code of each (core/features.hpp), under names that C has, too.
-// NOLINTBEGIN(readability-redundant-declaration): library/kfast.h is C and declares them itself
-extern "C" {
-extern const kfast::StrokeFeature kfast_strokes;
-extern const kfast::TweenFeature kfast_tweens;
-extern const kfast::BoneFeature kfast_bones;
-extern const kfast::BackboneFeature kfast_backbones;
-extern const kfast::DepthFeature kfast_depth;
-extern const kfast::WireFeature kfast_wires;
-extern const kfast::PathFeature kfast_paths;
-extern const kfast::SmoothFeature kfast_smooth;
-extern const kfast::TextFeature kfast_texts;
-extern const kfast::DrawingFeature kfast_drawings;
-}
-// NOLINTEND(readability-redundant-declaration)
-
 /// The rest of the player reaches the code of a feature through these pointers alone, so that a linker can
 /// leave it out. Objects that only a feature makes (StrokeOutline, PosedBackbones, Projection,
 /// DeformedDrawing) carry pointers to what works on them.
@@ -226,3 +210,19 @@ struct DrawingFeature {
 };
 
 }
+
+// The code of each, under names that C has, too.
+// NOLINTBEGIN(readability-redundant-declaration): library/kfast.h is C and declares them itself
+extern "C" {
+extern const kfast::StrokeFeature kfast_strokes;
+extern const kfast::TweenFeature kfast_tweens;
+extern const kfast::BoneFeature kfast_bones;
+extern const kfast::BackboneFeature kfast_backbones;
+extern const kfast::DepthFeature kfast_depth;
+extern const kfast::WireFeature kfast_wires;
+extern const kfast::PathFeature kfast_paths;
+extern const kfast::SmoothFeature kfast_smooth;
+extern const kfast::TextFeature kfast_texts;
+extern const kfast::DrawingFeature kfast_drawings;
+}
+// NOLINTEND(readability-redundant-declaration)

@@ -11,7 +11,7 @@ namespace kfast {
 
 namespace {
 
-constexpr std::int64_t widest = Fixed::pixels(4095).raw();
+constexpr std::int64_t max_half_width = Fixed::pixels(4095).raw();
 
 /// Whether all of it is, and its shift.
 bool is_small(const Affine& map)
@@ -67,7 +67,7 @@ Affine operator*(const Affine& outer, const Affine& inner)
 Fixed half_width(Fixed width, std::int32_t scale_factor)
 {
     const std::int64_t raw = (std::int64_t{width.raw()} * scale_factor + Fixed::one) >> 17;
-    return Fixed::from_raw(static_cast<std::int32_t>(std::min(raw, widest)));
+    return Fixed::from_raw(static_cast<std::int32_t>(std::min(raw, max_half_width)));
 }
 
 namespace {

@@ -10,17 +10,17 @@
 namespace kfast {
 namespace {
 
-constexpr std::int32_t one = Fixed::one;
-constexpr std::int32_t widest = 8 * one; ///< Q16, across
+constexpr std::int32_t one_px = Fixed::one;
+constexpr std::int32_t max_across = 8 * one_px; ///< Q16, across
 /// What lies along a cell whose points are within small_reach, or as far again beyond either end of it, is
 /// within three times that, and within nine times if it is up to small_width across: Fixed can tell that.
-constexpr std::int32_t small_reach = 1023 * one;
-constexpr std::int32_t small_width = 2 * one;
+constexpr std::int32_t small_reach = 1023 * one_px;
+constexpr std::int32_t small_width = 2 * one_px;
 
 /// `share` is in Q16 and may lie beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
 {
-    return a + (((b - a) * share + one / 2) >> 16);
+    return a + (((b - a) * share + one_px / 2) >> 16);
 }
 
 /// The same bits, where all of it fits in 32 bits.
@@ -111,7 +111,7 @@ Point PosedBackbones::place(Cell cell, Fixed across) const
     const BackboneNode& b = nodes_[static_cast<std::size_t>(cell.node) + 1];
     const auto side = across >= Fixed{} ? &BackboneNode::left : &BackboneNode::right;
     const std::int32_t size = across >= Fixed{} ? across.raw() : -across.raw();
-    const std::int32_t width = std::min(size >> (unit_bits_ - 4), widest);
+    const std::int32_t width = std::min(size >> (unit_bits_ - 4), max_across);
     if (are_small_ && width <= small_width)
         return placed_across<std::int32_t>(a, b, side, cell.along, width);
     return placed_across<std::int64_t>(a, b, side, cell.along, width);
@@ -138,12 +138,12 @@ PosedBackbones::Cell PosedBackbones::cell_at(Fixed along) const
     const std::int32_t node = along.raw() >> (unit_bits_ + 12);
     const std::int32_t share = (along.raw() & ((1 << (unit_bits_ + 12)) - 1)) >> (unit_bits_ - 4);
     if (is_node(node))
-        return is_node(node + 1) ? Cell{node, share} : Cell{node - 1, one + share};
+        return is_node(node + 1) ? Cell{node, share} : Cell{node - 1, one_px + share};
     if (is_node(node + 1))
-        return {node + 1, share - one};
+        return {node + 1, share - one_px};
     if (node < 0)
-        return {0, -one};
-    return {static_cast<std::int32_t>(nodes_.size()) - 3, 2 * one};
+        return {0, -one_px};
+    return {static_cast<std::int32_t>(nodes_.size()) - 3, 2 * one_px};
 }
 
 /// As far out as belongs to the backbone.
@@ -153,10 +153,10 @@ PosedBackbones::Cell PosedBackbones::end_of(std::int32_t backbone, bool is_begin
     while (nodes_[static_cast<std::size_t>(node)].backbone != backbone)
         ++node;
     if (is_beginning)
-        return {node, -one};
+        return {node, -one_px};
     while (is_node(node + 2))
         ++node;
-    return {node, 2 * one};
+    return {node, 2 * one_px};
 }
 
 bool PosedBackbones::is_node(std::int32_t index) const

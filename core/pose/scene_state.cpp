@@ -36,8 +36,8 @@ SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
 
 namespace {
 
-std::size_t bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(PosedBone); }
-std::size_t node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
+std::size_t posed_bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(PosedBone); }
+std::size_t backbone_node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
 /// With what may be passed over until they are aligned.
 std::size_t space_bytes(const SceneView& scene)
 {
@@ -60,7 +60,7 @@ static_assert(alignof(PosedBone) <= 4 && alignof(BackboneNode) <= 4);
 
 [[gnu::cold]] std::size_t SceneState::bytes_for(const SceneView& scene)
 {
-    return PreparedScene::bytes_for(scene) + space_bytes(scene) + bone_bytes(scene) + node_bytes(scene) +
+    return PreparedScene::bytes_for(scene) + space_bytes(scene) + posed_bone_bytes(scene) + backbone_node_bytes(scene) +
            input_bytes(scene) + InputDrawings::bytes_for(scene) + InputTexts::bytes_for(scene);
 }
 
@@ -70,8 +70,8 @@ static_assert(alignof(PosedBone) <= 4 && alignof(BackboneNode) <= 4);
     BumpAllocator cutter{memory};
     on_panel_.prepared = PreparedScene{scene, cutter.cut(PreparedScene::bytes_for(scene))};
     on_panel_.spaces = spaces_in(cutter.cut(space_bytes(scene)));
-    on_panel_.bones = cutter.cut_as<PosedBone>(bone_bytes(scene));
-    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(node_bytes(scene));
+    on_panel_.bones = cutter.cut_as<PosedBone>(posed_bone_bytes(scene));
+    on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(backbone_node_bytes(scene));
     inputs_ = cutter.cut_as<Time>(input_bytes(scene));
     put_default_places(scene.inputs(), inputs_);
     on_panel_.drawings = {scene, cutter.cut(InputDrawings::bytes_for(scene))};

@@ -55,8 +55,8 @@ std::int32_t hermite(const HermiteSpan& span, Time time)
 
 namespace {
 
-constexpr std::int32_t largest = 1 << 20;
-constexpr std::int32_t farthest = 1 << 30;
+constexpr std::int32_t max_value = 1 << 20;
+constexpr std::int32_t max_ticks = 1 << 30;
 
 class KeySampleCursor {
 public:
@@ -81,7 +81,7 @@ bool is_within(std::int32_t value, std::int32_t limit) { return value >= -limit 
 
 bool Track::add(Time time, std::int32_t value)
 {
-    if (!is_within(value, largest) || !is_within(time.ticks, farthest - 1))
+    if (!is_within(value, max_value) || !is_within(time.ticks, max_ticks - 1))
         return false;
     const auto keys = storage_.first(count_);
     const auto place = std::ranges::lower_bound(keys, time, {}, &KeySample::time);

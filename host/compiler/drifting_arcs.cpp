@@ -25,20 +25,20 @@ constexpr double chord_error = 0.02;     ///< px by which a chord strays from wh
 constexpr std::int32_t max_moments = 16; ///< of a way that are looked at
 constexpr double degrees_apart = 5;      ///< of places on the arc that are looked at
 
-double between(double a, double b, double share) { return a + share * (b - a); }
+double interpolated(double a, double b, double share) { return a + share * (b - a); }
 
 double share_of(Progress progress) { return static_cast<double>(progress.raw) / Progress::one; }
 
 /// As it would be if its angles went evenly.
-Sector between(const Sector& a, const Sector& b, const ProgressXY& progress)
+Sector interpolated(const Sector& a, const Sector& b, const ProgressXY& progress)
 {
     const double x = share_of(progress.x);
     const double y = share_of(progress.y);
-    return {.centre = {between(a.centre.x, b.centre.x, x), between(a.centre.y, b.centre.y, y)},
-            .radius_x = between(a.radius_x, b.radius_x, x),
-            .radius_y = between(a.radius_y, b.radius_y, y),
-            .from = between(a.from, b.from, x),
-            .to = between(a.to, b.to, x)};
+    return {.centre = {interpolated(a.centre.x, b.centre.x, x), interpolated(a.centre.y, b.centre.y, y)},
+            .radius_x = interpolated(a.radius_x, b.radius_x, x),
+            .radius_y = interpolated(a.radius_y, b.radius_y, y),
+            .from = interpolated(a.from, b.from, x),
+            .to = interpolated(a.to, b.to, x)};
 }
 
 std::vector<Vec2> arc_spots(const Sector& sector)
@@ -46,7 +46,7 @@ std::vector<Vec2> arc_spots(const Sector& sector)
     const int count = 1 + static_cast<int>(std::abs(sector.to - sector.from) / degrees_apart);
     std::vector<Vec2> spots;
     for (int i = 0; i <= count; ++i) {
-        const double angle = between(sector.from, sector.to, static_cast<double>(i) / count);
+        const double angle = interpolated(sector.from, sector.to, static_cast<double>(i) / count);
         const double turn = angle * std::numbers::pi / 180;
         spots.push_back(sector.centre +
                         Vec2{sector.radius_x * std::cos(turn), sector.radius_y * std::sin(turn)});
@@ -152,7 +152,7 @@ private:
     {
         for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
             const ProgressXY progress = progress_between(key.time, next.time, time, key.laws);
-            const Sector sector = between(sectors.a, sectors.b, progress);
+            const Sector sector = interpolated(sectors.a, sectors.b, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
             const double by = drift(sector, stroke_spots(stroke, progress, chords_of(radius)));
             if (by > worst_.by)
@@ -172,7 +172,7 @@ std::string value_text(const scene::Input& input, Time time)
     const double min = input.min / 1000.0;
     const double max = input.max / 1000.0;
     const double step = std::pow(10, std::floor(std::log10((max - min) / 1000)));
-    return rounded_text(std::round(between(min, max, share) / step) * step);
+    return rounded_text(std::round(interpolated(min, max, share) / step) * step);
 }
 
 /// "frame 51" or, of an object that an input moves, "level=12.5".

@@ -11,7 +11,7 @@ namespace kfast::scene {
 
 namespace {
 
-Segment line_to(Point to) { return {.cubic = false, .c1 = {}, .c2 = {}, .to = to}; }
+Segment line_segment_to(Point to) { return {.cubic = false, .c1 = {}, .c2 = {}, .to = to}; }
 
 }
 
@@ -27,8 +27,8 @@ WireStroke quantized(const Wire& wire)
     const auto depth = [](const Vec3& spot) { return Point{to_sixteenths(spot.z), 0}; };
     WireStroke stroke{.flat = {flat(wire.front()), {}}, .depths = {depth(wire.front()), {}}};
     for (auto spot = wire.begin() + 1; spot != wire.end(); ++spot) {
-        stroke.flat.segments.push_back(line_to(flat(*spot)));
-        stroke.depths.segments.push_back(line_to(depth(*spot)));
+        stroke.flat.segments.push_back(line_segment_to(flat(*spot)));
+        stroke.depths.segments.push_back(line_segment_to(depth(*spot)));
     }
     return stroke;
 }

@@ -31,12 +31,12 @@ Coverage coverage_at(double time, std::span<const art::Node> nodes, const Layer&
     return is_inverted ? inverted(coverage) : coverage;
 }
 
-using Way = std::vector<const art::Transform*>;
+using TransformPath = std::vector<const art::Transform*>;
 
 /// What is filled, and can be seen by its form alone.
 struct LoneShape {
     const art::Shape* content;
-    Way way; ///< the outermost first
+    TransformPath way; ///< the outermost first
 };
 
 /// Nothing if there is more than one shape, or one that is seen through or is not always there.
@@ -61,9 +61,9 @@ std::optional<LoneShape> lone_shape(const std::vector<art::Node>& nodes)
 }
 
 /// The transforms around that are not around the other one as well, the innermost first.
-Way own_way(const Around* around, const Around* other)
+TransformPath own_way(const Around* around, const Around* other)
 {
-    Way way;
+    TransformPath way;
     const auto is_around_other = [&](const Around* one) {
         const Around* outer = other;
         while (outer && outer != one)
@@ -75,7 +75,7 @@ Way own_way(const Around* around, const Around* other)
     return way;
 }
 
-art::Affine matrix_from(const Way& innermost_first, double time)
+art::Affine matrix_from(const TransformPath& innermost_first, double time)
 {
     art::Affine matrix;
     for (const art::Transform* transform : innermost_first)
@@ -89,13 +89,13 @@ std::optional<Window> window_through(const Layer& layer, const MatteSource& sour
     const auto shape = lone_shape(source.nodes);
     if (!shape || source.shown.from > layer.seen.from || source.shown.to < layer.seen.to)
         return std::nullopt;
-    Way inner{shape->way.rbegin(), shape->way.rend()};
-    const Way to_layers = own_way(&source.layer.around, &layer.around);
+    TransformPath inner{shape->way.rbegin(), shape->way.rend()};
+    const TransformPath to_layers = own_way(&source.layer.around, &layer.around);
     inner.insert(inner.end(), to_layers.begin(), to_layers.end());
-    const Way outer = own_way(&layer.around, &source.layer.around);
+    const TransformPath outer = own_way(&layer.around, &source.layer.around);
     Window window = window_of(shape->content->drawing);
     window.rule = shape->content->fill->rule;
-    for (const Way* way : std::initializer_list<const Way*>{&inner, &outer})
+    for (const TransformPath* way : std::initializer_list<const TransformPath*>{&inner, &outer})
         for (const art::Transform* transform : *way) {
             if (!transform || !is_flat(*transform))
                 return std::nullopt;

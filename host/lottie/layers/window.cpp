@@ -20,7 +20,7 @@ using art::Drawing;
 using scene::Vec2;
 
 /// The transforms around a shape, the outermost first.
-using Way = std::vector<art::Transform>;
+using TransformChain = std::vector<art::Transform>;
 
 bool is_upright_rectangle(const ConvexPolygon& polygon)
 {
@@ -42,7 +42,7 @@ bool is_convex(const art::Animated<Drawing>& drawing)
     });
 }
 
-Affine matrix_of(const Way& way, double time)
+Affine matrix_of(const TransformChain& way, double time)
 {
     Affine matrix;
     for (const art::Transform& transform : way)
@@ -179,7 +179,7 @@ private:
         part.cost += window_.drawing.cost + static_cast<double>(way_.size());
         part.cost *= cost_of_cutting;
         part.at = [at = std::move(part.at), window = window_.drawing.at, convex = window_.is_convex,
-                   way = std::make_shared<const Way>(way_)](double time) -> Drawing {
+                   way = std::make_shared<const TransformChain>(way_)](double time) -> Drawing {
             const auto back = matrix_of(*way, time).inverse();
             if (!back)
                 return {};
@@ -220,7 +220,7 @@ private:
     const Moving moving_;
     const art::Span& seen_;
     art::Budget& budget_;
-    Way way_;
+    TransformChain way_;
     double computed_ = 0;
     std::size_t points_ = 0;
     bool is_all_cut_ = true;

@@ -16,7 +16,7 @@ using art::Transform;
 /// Of what coordinates are rounded to.
 constexpr double half_step = 1.0 / 32;
 
-bool same(const StoredKey<std::int32_t>& one, const StoredKey<std::int32_t>& other)
+bool same_key(const StoredKey<std::int32_t>& one, const StoredKey<std::int32_t>& other)
 {
     return one.ticks == other.ticks && one.value == other.value && one.law == other.law;
 }
@@ -114,7 +114,7 @@ private:
         const NumberKeys across = stored_keys(transform_.scale_x, length_, scales);
         const NumberKeys down = stored_keys(transform_.scale_y, length_, scales);
         const std::int32_t whole = on_grid(1, scales);
-        if (std::ranges::equal(across, down, same))
+        if (std::ranges::equal(across, down, same_key))
             return add_quantity(item_, "scale", across, scales, whole);
         add_quantity(item_, "scale-x", across, scales, whole);
         add_quantity(item_, "scale-y", down, scales, whole);

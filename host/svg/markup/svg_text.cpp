@@ -91,7 +91,7 @@ void resolve_namespaces(pugi::xml_document& document)
 }
 
 constexpr std::size_t longest_text = std::size_t{1} << 26; ///< bytes, with entities put in
-constexpr std::size_t longest_name = 256;                  ///< of an entity
+constexpr std::size_t max_entity_name = 256;                  ///< of an entity
 
 using Entities = std::map<std::string, std::string, std::less<>>;
 
@@ -126,7 +126,7 @@ std::string with_entities(const SourceText& source)
     std::string result;
     std::size_t copied = 0;
     for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
-        const std::string_view name = text.substr(at + 1, longest_name);
+        const std::string_view name = text.substr(at + 1, max_entity_name);
         const std::size_t length = name.find(';');
         const auto entity = entities.find(name.substr(0, length == name.npos ? 0 : length));
         if (entity == entities.end())
