@@ -2,7 +2,6 @@
 #include "host/commands/help/command_words.hpp"
 #include "host/commands/help/help_page.hpp"
 #include "host/commands/help/man_page.hpp"
-#include "host/commands/help/schema_kdl.hpp"
 #include "host/commands/help/schema_lists.hpp"
 #include "host/commands/help/shell_completions.hpp"
 #include "host/commands/options/option_values.hpp"

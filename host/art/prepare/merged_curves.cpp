@@ -1,4 +1,4 @@
-#include "host/art/prepare/merged_curves.hpp"
+#include "host/art/prepare/prepare.hpp"
 
 #include "host/art/document/extent.hpp"
 #include "host/art/prepare/merged_outline.hpp"

@@ -31,4 +31,14 @@ inline constexpr std::size_t max_eases = 160;
 /// grids on which it has not, and adds a Loss.
 void share_eases(Document& document, Losses& losses);
 
+/// Takes out what is never seen: outlines without extent that show no dot, shapes that draw nothing or have
+/// neither fill nor line, what is always transparent or never shown, and groups of nothing else.
+void drop_unseen(Document& document);
+
+/// Leaves out segments of no length, makes lines of curves that are straight, and merges neighbouring
+/// segments where all keys allow it. The number of segments is the same in all keys afterwards. Nothing is
+/// done to a drawing whose keys have different forms, nor to one with a skin, which has weights for its
+/// points.
+void merge_curves(Shape& shape, double tolerance);
+
 }

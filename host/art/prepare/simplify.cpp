@@ -7,8 +7,6 @@
 #include "host/art/geometry/curves.hpp"
 #include "host/art/prepare/tween_turn.hpp"
 #include "host/art/prepare/fewer_keys.hpp"
-#include "host/art/prepare/merged_curves.hpp"
-#include "host/art/prepare/unseen.hpp"
 
 #include <algorithm>
 #include <initializer_list>

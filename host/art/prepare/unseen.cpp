@@ -1,4 +1,4 @@
-#include "host/art/prepare/unseen.hpp"
+#include "host/art/prepare/prepare.hpp"
 
 #include "host/art/budget.hpp"
 #include "host/art/document/extent.hpp"

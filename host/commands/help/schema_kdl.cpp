@@ -1,4 +1,4 @@
-#include "host/commands/help/schema_kdl.hpp"
+#include "host/commands/help/schema_lists.hpp"
 
 #include "host/kdl/canonical.hpp"
 #include "host/scene/values/value_reader.hpp"

@@ -16,4 +16,8 @@ std::string schema_json(const scene::LanguageSchema& words);
 /// Two tables for docs/scene-language.md: all nodes, and all properties.
 std::string schema_markdown(const scene::LanguageSchema& words);
 
+/// A schema of scenes in the KDL Schema Language, version 2.0.0 (SCHEMA-SPEC.md of github.com/kdl-org/kdl).
+/// What nodes of one name and place may be written with is one definition there, if they have several ways.
+std::string schema_kdl(const scene::LanguageSchema& words);
+
 }

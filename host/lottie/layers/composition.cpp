@@ -3,8 +3,6 @@
 #include "host/art/document/document.hpp"
 #include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/layer.hpp"
-#include "host/lottie/layers/masks.hpp"
-#include "host/lottie/layers/matte.hpp"
 #include "host/lottie/layers/unread.hpp"
 #include "host/lottie/shapes/transform.hpp"
 

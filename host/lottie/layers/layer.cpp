@@ -1,7 +1,6 @@
 #include "host/lottie/layers/layer.hpp"
 
 #include "host/geometry/shape.hpp"
-#include "host/lottie/layers/precomposition.hpp"
 #include "host/text/characters.hpp"
 
 #include <charconv>

@@ -48,4 +48,25 @@ art::Drawing solid_drawing(const Json& solid);
 /// Nothing if "sc" is no colour, such as "#ff8000".
 std::optional<art::Rgb> solid_colour(const Json& solid);
 
+/// Applies the masks of a layer to what it draws: those that show or hide all of it, and those that cut a
+/// solid to their own shape. Others are reported.
+void apply_masks(std::vector<art::Node>& nodes, const Layer& layer);
+
+/// What the composition behind a layer draws, with the layer's start, stretch and time remapping. Throws
+/// WrongMember when there is none, or it uses itself.
+std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animation);
+
+/// The layer whose picture another one is matted by.
+struct MatteSource {
+    const Layer& layer;
+    std::vector<art::Node> nodes; ///< what it draws, in its own coordinates
+    art::Span shown;
+};
+
+/// Applies a matte ("tt") to what a layer draws, if it shows or hides all of it. Others are reported.
+void apply_matte(std::vector<art::Node>& nodes, const Layer& layer, MatteSource source);
+
+/// That it is not applied.
+void report_matte(const Layer& layer);
+
 }

@@ -1,4 +1,4 @@
-#include "host/lottie/layers/masks.hpp"
+#include "host/lottie/layers/layer.hpp"
 
 #include "host/lottie/drawings/extent.hpp"
 #include "host/lottie/layers/window.hpp"

@@ -1,4 +1,4 @@
-#include "host/lottie/layers/matte.hpp"
+#include "host/lottie/layers/layer.hpp"
 
 #include "host/art/document/document.hpp"
 #include "host/lottie/drawings/carried.hpp"

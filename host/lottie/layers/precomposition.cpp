@@ -1,4 +1,4 @@
-#include "host/lottie/layers/precomposition.hpp"
+#include "host/lottie/layers/layer.hpp"
 
 #include "host/geometry/shape.hpp"
 #include "host/lottie/drawings/extent.hpp"

@@ -1,4 +1,4 @@
-#include "host/lottie/shapes/path_item.hpp"
+#include "host/lottie/shapes/shapes.hpp"
 
 #include "host/art/animation/baked_drawing.hpp"
 #include "host/art/document/document.hpp"

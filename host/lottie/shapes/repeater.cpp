@@ -1,4 +1,4 @@
-#include "host/lottie/shapes/repeater.hpp"
+#include "host/lottie/shapes/shapes.hpp"
 
 #include "host/lottie/values/channel.hpp"
 #include "host/lottie/values/json.hpp"

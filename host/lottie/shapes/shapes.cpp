@@ -1,9 +1,6 @@
 #include "host/lottie/shapes/shapes.hpp"
 
 #include "host/lottie/drawings/modifiers.hpp"
-#include "host/lottie/shapes/path_item.hpp"
-#include "host/lottie/shapes/repeater.hpp"
-#include "host/lottie/shapes/style_item.hpp"
 #include "host/lottie/values/json.hpp"
 #include "host/text/characters.hpp"
 

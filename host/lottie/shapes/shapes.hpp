@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -64,5 +65,22 @@ std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items);
 
 /// What a list draws, the lowest first; the first item of the list lies on top.
 std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading);
+
+/// Whether a type "ty" is one of those that read_path_item() reads.
+bool is_path(std::string_view type);
+
+/// A path ("sh"), a rectangle ("rc"), an ellipse ("el") or a star ("sr"): "ty" says which.
+PathItem read_path_item(const Json& item, const Reading& reading);
+
+/// The copies of a repeater ("rp") in place of the items before it: groups that paint the same, the topmost
+/// first.
+std::vector<ShapeItem> repeated(const std::vector<ShapeItem>& items, const Json& repeater,
+                                const Reading& reading);
+
+/// Whether a type "ty" is one of those that read_style_item() reads.
+bool is_style(std::string_view type);
+
+/// A fill ("fl"), a stroke ("st"), or one by a gradient ("gf", "gs"), which gets its mean colour.
+StyleItem read_style_item(const Json& item, const Reading& reading);
 
 }

@@ -1,7 +1,6 @@
-#include "host/lottie/shapes/style_item.hpp"
+#include "host/lottie/shapes/shapes.hpp"
 
 #include "host/art/document/document.hpp"
-#include "host/lottie/shapes/shapes.hpp"
 #include "host/lottie/values/channel.hpp"
 #include "host/lottie/values/json.hpp"
 #include "host/lottie/values/ways.hpp"

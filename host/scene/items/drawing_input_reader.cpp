@@ -1,9 +1,8 @@
-#include "host/scene/items/drawing_input_reader.hpp"
+#include "host/scene/items/input_reader.hpp"
 
 #include "host/scene/context/limits.hpp"
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
-#include "host/scene/items/input_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"

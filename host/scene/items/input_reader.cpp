@@ -2,8 +2,6 @@
 
 #include "host/kdl/canonical.hpp"
 #include "host/scene/context/limits.hpp"
-#include "host/scene/items/drawing_input_reader.hpp"
-#include "host/scene/items/text_input_reader.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"

@@ -3,6 +3,7 @@
 #include "core/scene/input_view.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
+#include "host/scene/model.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/value_kind.hpp"
 
@@ -40,5 +41,15 @@ void warn_of_unused_inputs(SceneContext& context);
 
 /// Of numbers, texts and drawings.
 std::vector<NodeSchema> input_words();
+
+/// What `node`, an input, says of a drawing; what is wrong is reported.
+DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context);
+
+std::vector<PropertySchema> drawing_input_words();
+
+/// What an input node of kind=text says. What is wrong is reported, and then one that takes a place.
+TextInput read_text_input(const kdl::Node& node, SceneContext& context);
+
+std::vector<PropertySchema> text_input_words();
 
 }

@@ -1,8 +1,7 @@
-#include "host/scene/items/text_input_reader.hpp"
+#include "host/scene/items/input_reader.hpp"
 
 #include "core/bytes/code_point.hpp"
 #include "core/scene/kfb_limits.hpp"
-#include "host/scene/items/input_reader.hpp"
 #include "host/scene/values/text_properties.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"

@@ -1,4 +1,4 @@
-#include "host/scene/shapes/sector_reader.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
 
 #include "host/geometry/arc.hpp"
 #include "host/scene/values/geometry_reader.hpp"

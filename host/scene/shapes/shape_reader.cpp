@@ -4,8 +4,6 @@
 #include "host/geometry/shape.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/shapes/sector_reader.hpp"
-#include "host/scene/shapes/star_reader.hpp"
 #include "host/scene/shapes/text_reader.hpp"
 #include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/value_reader.hpp"

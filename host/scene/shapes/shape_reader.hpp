@@ -22,4 +22,19 @@ std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, 
 
 std::vector<NodeSchema> shape_words();
 
+/// As read_shape(), for the nodes star and regular, whose form has been checked.
+std::vector<Outline> read_star(const kdl::Node& node, std::size_t points_left, SceneContext& context);
+std::vector<Outline> read_regular(const kdl::Node& node, std::size_t points_left, SceneContext& context);
+
+std::vector<PropertySchema> star_words();
+std::vector<PropertySchema> regular_words();
+
+/// As read_shape(), for the nodes arc and pie, whose form has been checked.
+std::vector<Outline> read_arc(const kdl::Node& node, std::size_t points_left, SceneContext& context);
+std::vector<Outline> read_pie(const kdl::Node& node, std::size_t points_left, SceneContext& context);
+
+/// Of arcs of circles, and of ellipses.
+std::vector<std::vector<PropertySchema>> arc_words();
+std::vector<PropertySchema> pie_words();
+
 }

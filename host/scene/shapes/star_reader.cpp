@@ -1,4 +1,4 @@
-#include "host/scene/shapes/star_reader.hpp"
+#include "host/scene/shapes/shape_reader.hpp"
 
 #include "host/geometry/shape.hpp"
 #include "host/scene/values/geometry_reader.hpp"

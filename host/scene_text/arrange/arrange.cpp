@@ -4,11 +4,8 @@
 #include "host/art/losses.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene_text/arrange/baking.hpp"
-#include "host/scene_text/arrange/folding.hpp"
-#include "host/scene_text/arrange/paints.hpp"
+#include "host/scene_text/arrange/passes.hpp"
 #include "host/scene_text/arrange/placement.hpp"
-#include "host/scene_text/arrange/ranges.hpp"
-#include "host/scene_text/arrange/unseen.hpp"
 #include "host/scene_text/values/sums.hpp"
 
 #include <algorithm>

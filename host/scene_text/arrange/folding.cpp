@@ -1,4 +1,4 @@
-#include "host/scene_text/arrange/folding.hpp"
+#include "host/scene_text/arrange/passes.hpp"
 
 #include "host/art/document/document.hpp"
 #include "host/scene_text/arrange/carrying.hpp"

@@ -1,4 +1,4 @@
-#include "host/scene_text/arrange/paints.hpp"
+#include "host/scene_text/arrange/passes.hpp"
 
 #include "host/scene_text/values/writing.hpp"
 #include "host/scene_text/values/sums.hpp"

@@ -1,4 +1,4 @@
-#include "host/scene_text/arrange/ranges.hpp"
+#include "host/scene_text/arrange/passes.hpp"
 
 #include "host/scene_text/arrange/carrying.hpp"
 #include "host/scene_text/arrange/placement.hpp"

@@ -1,4 +1,4 @@
-#include "host/scene_text/arrange/unseen.hpp"
+#include "host/scene_text/arrange/passes.hpp"
 
 #include "host/scene_text/values/grid.hpp"
 #include "host/scene_text/values/stored_keys.hpp"

@@ -1,4 +1,4 @@
-#include "host/synfig/evaluation/arithmetic_values.hpp"
+#include "host/synfig/evaluation/evaluator.hpp"
 
 #include "host/art/geometry/affine.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/synfig/evaluation/bone_values.hpp"
+#include "host/synfig/evaluation/evaluator.hpp"
 
 #include <cmath>
 

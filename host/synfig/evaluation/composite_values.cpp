@@ -1,4 +1,4 @@
-#include "host/synfig/evaluation/composite_values.hpp"
+#include "host/synfig/evaluation/evaluator.hpp"
 
 #include "host/art/animation/animated.hpp"
 #include "host/art/geometry/affine.hpp"

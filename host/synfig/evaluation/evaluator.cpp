@@ -1,9 +1,5 @@
 #include "host/synfig/evaluation/evaluator.hpp"
 
-#include "host/synfig/evaluation/arithmetic_values.hpp"
-#include "host/synfig/evaluation/bone_values.hpp"
-#include "host/synfig/evaluation/composite_values.hpp"
-#include "host/synfig/evaluation/spline_values.hpp"
 #include "host/synfig/values/value_node.hpp"
 
 #include <algorithm>

@@ -54,4 +54,22 @@ using ValueLaw = Value (*)(Evaluator&, const ValueNode&, double);
 /// Laws by the names of the elements that have them.
 using ValueLaws = std::vector<std::pair<std::string_view, ValueLaw>>;
 
+/// Of sums, products and other functions of numbers.
+ValueLaws arithmetic_laws();
+
+/// To the nearest whole number, halves up.
+Value rounded(const Value& value);
+
+/// Of bones, and what they carry.
+ValueLaws bone_laws();
+
+/// Of values that are put together of others, or taken apart.
+ValueLaws composite_laws();
+
+/// Of lists, whose entries come and go.
+ValueLaws list_laws();
+
+/// Of places, directions and widths along splines.
+ValueLaws spline_laws();
+
 }

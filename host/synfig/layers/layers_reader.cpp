@@ -4,7 +4,6 @@
 #include "host/synfig/layers/blending.hpp"
 #include "host/synfig/layers/cover_layers.hpp"
 #include "host/synfig/layers/group_layers.hpp"
-#include "host/synfig/layers/line_layers.hpp"
 #include "host/synfig/layers/shape_layers.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "host/synfig/layers/line_layers.hpp"
+#include "host/synfig/layers/layers_reader.hpp"
 
 #include "host/synfig/bones/linked_skin.hpp"
 #include "host/synfig/layers/line_shape.hpp"

@@ -1,4 +1,4 @@
-#include "host/art/prepare/merged_curves.hpp"
+#include "host/art/prepare/prepare.hpp"
 
 #include "host/art/geometry/curves.hpp"
 #include "host/geometry/shape.hpp"
