@@ -11,7 +11,7 @@
 /// Two key drawings with different numbers of strokes and points, walked side by side as if they had the
 /// same.
 ///
-/// The rules are those of KFAST (C. M. Lever, Amiga, about 1992); docs/design.md has them with a worked
+/// The rules are those of KFAST (C. M. Lever, Amiga, about 1992); core/pose/README.md has them with a worked
 /// example. Nothing is copied: each drawing is read once, beside an empty one twice, and points are added as
 /// they are asked for.
 namespace kfast {

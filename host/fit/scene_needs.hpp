@@ -50,7 +50,7 @@ RamNeed ram_need(const SceneView& scene, const Target& target);
 /// Of one of the bands: a row of the panel, or as many as it takes together.
 std::size_t min_band(const Display& display);
 
-/// Reports of 64 bytes that a device takes by USB at most (docs/design.md, "USB").
+/// Reports of 64 bytes that a device takes by USB at most (boards/pico/README.md, "USB").
 inline constexpr double reports_per_second = 1000;
 
 /// What telling inputs of a scene takes on the link (docs/link.md).

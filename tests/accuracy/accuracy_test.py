@@ -19,7 +19,7 @@ from true_area import coverage
 FRAMES = 60
 STEP = 5
 
-# What kfast is held to. docs/design.md, "Accuracy", says why the independent renderer is further away.
+# What kfast is held to. README.md beside it says why the independent renderer is further away.
 CLOSE_TO_TRUE = 0.99
 FARTHEST_FROM_TRUE = 32
 CLOSE_TO_INDEPENDENT = {"eyes": 0.78, "morph": 0.86, "walker": 0.93}

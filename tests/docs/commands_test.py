@@ -1,7 +1,7 @@
 """Every command of README.md, docs/*.md and the READMEs of examples/ does what the page says, in a folder with the files that the
 page makes.
 
-Called like commands_test.py <kfast>. CONTRIBUTING.md, "Documentation", has the rules by which pages are written.
+Called like commands_test.py <kfast>. README.md beside it has the rules by which pages are written.
 """
 
 import os

@@ -14,7 +14,7 @@ import unittest
 
 import not_run
 from benchmark_tables import cells, is_row
-from page import ROOT, pages
+from page import ROOT, all_pages, pages
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
 FOLDERS = "boards|cmake|core|docs|editors|examples|firmware|host|library|packages|scripts|tests"
@@ -22,7 +22,8 @@ PATH = re.compile(rf"(?<![\w/.-])(?:{FOLDERS})/[\w./-]*\w")
 # By the reader, by npm, by scripts/assemble; or a folder of another project.
 MADE = re.compile(r"boards/my-board|firmware/panel/ili9163|tests/emulation/node_modules|examples/robot_eyes|tests/test_cases")
 SCRIPT = re.compile(r"(?<![\w/.-])scripts/[\w.-]+\w(?:[ \t]+[\w=./-]+)*")
-DOCUMENTS = [*pages(), ROOT / "CONTRIBUTING.md"]
+ROOMS = [path for path in all_pages() if path.name == "README.md" and path not in pages()]
+DOCUMENTS = [*pages(), *ROOMS, ROOT / "CONTRIBUTING.md"]
 
 
 def told(*arguments):
@@ -40,11 +41,22 @@ def sources_of(script):
     return text + "".join((ROOT / name).read_text(encoding="utf-8") for name in re.findall(r"tests/[\w/]+\.py", text))
 
 
+def files_in_tables(readme):
+    """What stands in the column for files of its tables "file" and "you look for"."""
+    column = None
+    for line in readme.read_text(encoding="utf-8").splitlines():
+        row = cells(line) if is_row(line) else []
+        column = {"file": 0, "you look for": 1}.get(row[0], column) if row else column if line.startswith("|") else None
+        if row and column is not None:
+            yield from (name for name in re.findall(r"`([\w./-]+)`", row[column]) if "NAME" not in name)
+
+
 def each_text():
-    """Of every document the place and the text of its lines, those of blocks included."""
+    """Of every document the place and the text of its lines, those of blocks included; of READMEs of rooms without the targets
+    of links, which are not relative to the root."""
     for path in DOCUMENTS:
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            yield path, f"{path.relative_to(ROOT)}:{number}", line
+            yield path, f"{path.relative_to(ROOT)}:{number}", re.sub(r"\]\([^)]*\)", "]", line) if path in ROOMS else line
 
 
 class Program(unittest.TestCase):
@@ -136,15 +148,12 @@ class Project(unittest.TestCase):
                 self.assertLessEqual(set(re.findall(r"\w+", name)), known)
 
     def test_readmes_of_rooms_name_files_that_there_are(self):
-        for readme in ("core/README.md", "core/raster/README.md", "firmware/README.md", "host/README.md"):
-            folder = (ROOT / readme).parent
-            rows = [cells(line) for line in (ROOT / readme).read_text(encoding="utf-8").splitlines() if is_row(line)]
-            column = 0 if folder.name == "raster" else 1
-            named = [name for row in rows for name in re.findall(r"`([\w./-]+)`", row[column]) if "NAME" not in name]
-            self.assertGreater(len(named), 8)
-            for name in named:
-                with self.subTest(readme=readme, name=name):
-                    self.assertTrue((folder / name).exists() or (ROOT / name).exists() or list(folder.rglob(f"{name}.?pp")))
+        named = [(readme, name) for readme in ROOMS for name in files_in_tables(readme)]
+        self.assertGreater(len(named), 100)
+        for readme, name in named:
+            folder = readme.parent
+            with self.subTest(readme=readme, name=name):
+                self.assertTrue((folder / name).exists() or (ROOT / name).exists() or list(folder.rglob(f"{name}.?pp")))
 
     def test_scripts_have_the_options_that_are_given(self):
         presets = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}

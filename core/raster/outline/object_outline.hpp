@@ -26,7 +26,7 @@ public:
         last_ = corner;
     }
 
-    /// Closes the stroke by way of `hub` (docs/design.md, "Fills of broken strokes").
+    /// Closes the stroke by way of `hub` (core/pose/README.md, "Fills of broken strokes").
     void end(Point hub)
     {
         if (raster::corner_at(hub) != start_)

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Which vertices of two strokes become one point on the way between them (docs/design.md, "Points by
-/// length").
+/// Which vertices of two strokes become one point on the way between them ("Points by length" in
+/// host/compiler/README.md).
 namespace kfast {
 
 /// The directions in which a stroke reaches and leaves a vertex: of length 1, or 0 where it does not turn by

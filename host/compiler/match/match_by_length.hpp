@@ -15,8 +15,8 @@ struct MatchedDrawings {
 
 /// Drawings that look like `a` and `b` to within 1/16 px and that equalization (core/pose/equalize.hpp) pairs
 /// without adding points: they have the points that correspond by arc length, and closed strokes begin where
-/// they fit each other best (docs/design.md, "Points by length"). Single points and drawings whose partner is
-/// empty stay as they are: equalization repeats them.
+/// they fit each other best ("Points by length" in host/compiler/README.md). Single points and drawings whose
+/// partner is empty stay as they are: equalization repeats them.
 ///
 /// None if either would have more than kfb::max_drawing_points.
 std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b);
