@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/info/check_json.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/text/summary.hpp"
 #include "host/compile/scene_file.hpp"
@@ -136,10 +137,12 @@ void require_one_input(const CheckOptions& options)
 void declare_check(CLI::App& app)
 {
     const auto options = std::make_shared<CheckOptions>();
-    app.add_option("SCENE", options->paths, std::string{loaded_scene} + "; several, or - for standard input")
+    reads_scene(app.add_option("SCENE", options->paths,
+                               std::string{loaded_scene} + "; several, or - for standard input"))
         ->required();
-    app.add_option("--stdin-filename", options->name,
-                   "With -: the file that the text belongs to, for messages and for fonts beside it")
+    reads_file(
+        app.add_option("--stdin-filename", options->name,
+                       "With -: the file that the text belongs to, for messages and for fonts beside it"))
         ->type_name("FILE");
     declare_json(app, options->json);
     declare_import_options(app, options->import_choice);

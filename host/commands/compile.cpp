@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/options/fit_options.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/text/summary.hpp"
 #include "host/compile/scene_file.hpp"
@@ -82,9 +83,11 @@ void compile_scene(const CompileOptions& options)
 void declare_compile(CLI::App& app)
 {
     const auto options = std::make_shared<CompileOptions>();
-    app.add_option("SCENE", options->scene,
-                   "The scene text (.kfast), or a file to import (.json, .lottie, .svg, .sif)")
-        ->required();
+    CLI::Option* const scene =
+        app.add_option("SCENE", options->scene,
+                       "The scene text (.kfast), or a file to import (.json, .lottie, .svg, .sif)")
+            ->required();
+    reads_file(scene, {".lottie", ".svg", ".sif", ".kfast", ".json"});
     declare_output(app, options->output, "The compiled scene (default: SCENE's name with .kfb)");
     declare_import_options(app, options->import_choice);
     declare_fit_options(app, options->fit);

@@ -1,5 +1,5 @@
 #include "host/commands/command.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/config_text.hpp"
@@ -113,7 +113,7 @@ void declare_config(CLI::App& app)
     CLI::Option* const output = declare_output(
         app, options->output, "A .kdl, .bin or .uf2 file (default, and -: the text is printed)",
         StandardOutput::is_meant);
-    offer_names(input, config::configurations());
+    offer_names(reads_file(input, {".kdl", ".bin", ".uf2"}), config::configurations());
     app.add_flag("--list", options->list, "Name the ready configurations")->excludes(input)->excludes(output);
     declare_quiet(app, options->quiet);
     app.callback([options] { run(*options); });

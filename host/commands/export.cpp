@@ -3,7 +3,7 @@
 #include "host/commands/export/export_kinds.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/options/beam_options.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/output_options.hpp"
 
@@ -54,7 +54,7 @@ Options declare_ilda_options(CLI::App& app, ExportOptions& options)
                            "With --ild: 0 3-D and indexed, 1 2-D and indexed, 4 3-D and true colour, 5 2-D "
                            "and true colour (default: 5)")
                 ->type_name("N")
-                ->check(CLI::IsMember({0, 1, 4, 5}))};
+                ->check(one_of({0, 1, 4, 5}))};
 }
 
 Options declare_wave_options(CLI::App& app, ExportOptions& options)
@@ -63,7 +63,7 @@ Options declare_wave_options(CLI::App& app, ExportOptions& options)
     Options all = declare_sound_options(app, options.sound);
     all.push_back(app.add_option("--bits", options.bits, "With --wav: of a sample, 16 or 24 (default: 16)")
                       ->type_name("N")
-                      ->check(CLI::IsMember({16, 24})));
+                      ->check(one_of({16, 24})));
     all.push_back(app.add_option("--seconds", options.seconds,
                                  "With --wav: how long, by playing again (default: one play)")
                       ->type_name("T")
@@ -95,7 +95,7 @@ std::array<Kind, 3> declare_kinds(CLI::App& app)
 void declare_export(CLI::App& app)
 {
     const auto options = std::make_shared<ExportOptions>();
-    app.add_option("FILE", options->scene, loaded_scene)->required();
+    reads_scene(app.add_option("FILE", options->scene, loaded_scene))->required();
     const auto kinds = declare_kinds(app);
     declare_output(app, options->output, "The file (default: FILE's name with .h, .ild or .wav)");
     belong_to(kinds[0], declare_header_options(app, *options));

@@ -41,7 +41,7 @@ void print_fit(const FitCommandOptions& options)
 void declare_fit(CLI::App& app)
 {
     const auto options = std::make_shared<FitCommandOptions>();
-    app.add_option("FILE", options->file, loaded_scene)->required();
+    reads_scene(app.add_option("FILE", options->file, loaded_scene))->required();
     declare_fit_options(app, options->fit)->required();
     declare_import_options(app, options->import_choice);
     declare_json(app, options->json);

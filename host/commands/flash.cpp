@@ -3,6 +3,7 @@
 #include "host/commands/flash/flash_job.hpp"
 #include "host/commands/flash/flash_report.hpp"
 #include "host/commands/import/import_options.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/config/firmware_images.hpp"
@@ -139,13 +140,15 @@ void run(const FlashOptions& options)
 
 void declare_contents(CLI::App& app, FlashOptions& options)
 {
-    app.add_option("SCENE", options.plan.scene, std::string{"The built-in scene. "} + loaded_scene);
+    reads_scene(
+        app.add_option("SCENE", options.plan.scene, std::string{"The built-in scene. "} + loaded_scene));
     declare_settings_options(app, options.plan.settings);
     const OptionHeading heading{app, option_group::contents};
     CLI::Option* const firmware =
         app.add_option("--firmware", options.plan.firmware,
                        "The .bin of a firmware (default: the installed one for the bus of the display)")
             ->type_name("FILE");
+    reads_file(firmware, {".bin"});
     app.add_flag("--no-firmware", options.plan.no_firmware, "Leave the firmware that the board has")
         ->excludes(firmware);
 }
@@ -172,6 +175,7 @@ void declare_place(CLI::App& app, FlashOptions& options)
             ->type_name("FOLDER")
             ->excludes(port)
             ->excludes(serial);
+    names_folder(drive);
     CLI::Option* const reset = app.add_option("--reset-line", options.lines.reset,
                                               "The GPIO line of this computer that is wired to RUN")
                                    ->type_name("LINE")

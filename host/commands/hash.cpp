@@ -56,7 +56,7 @@ void print_hashes(const HashOptions& options)
 void declare_hash(CLI::App& app)
 {
     const auto options = std::make_shared<HashOptions>();
-    app.add_option("FILE", options->file, loaded_scene)->required();
+    reads_scene(app.add_option("FILE", options->file, loaded_scene))->required();
     declare_play_options(app, options->play);
     declare_picture_options(app, options->picture);
     CLI::Option* beam = declare_beam_option(app, options->beam);

@@ -4,6 +4,7 @@
 #include "host/commands/help/man_page.hpp"
 #include "host/commands/help/schema_lists.hpp"
 #include "host/commands/help/shell_completions.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_values.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/file/atomic_file.hpp"
@@ -77,8 +78,9 @@ void print_or_write(const ManOptions& options, const std::vector<ManPage>& pages
 void declare_man(CLI::App& app)
 {
     const auto options = std::make_shared<ManOptions>();
-    app.add_option("FOLDER", options->folder,
-                   "Where to write the pages of all commands, in man1 and man5; made if need be");
+    names_folder(
+        app.add_option("FOLDER", options->folder,
+                       "Where to write the pages of all commands, in man1 and man5; made if need be"));
     declare_quiet(app, options->quiet);
     app.callback([options, &app] {
         print_or_write(*options, man_pages(words_of_command(*app.get_parent()), scene::language_schema()));

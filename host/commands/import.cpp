@@ -2,11 +2,12 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/import/import_report.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/output_options.hpp"
-#include "host/commands/text/quantity_text.hpp"
 #include "host/commands/text/progress.hpp"
+#include "host/commands/text/quantity_text.hpp"
 #include "host/file/atomic_file.hpp"
 #include "host/file/input_file.hpp"
 #include "host/program/failure.hpp"
@@ -158,6 +159,7 @@ void declare_key_options(CLI::App& app, ImportOptions& options)
     CLI::Option* const drawings = app.add_option("--keys", options.drawings,
                                                  "Several .svg files, each the same picture at another time")
                                       ->type_name("FILES");
+    reads_file(drawings, {".svg"});
     CLI::Option* const times =
         app.add_option("--at", options.times, "When: a frame, or a time like 0.5s, for each of them")
             ->type_name("TIMES");
@@ -195,8 +197,10 @@ void require_input(const ImportOptions& options)
 void declare_import(CLI::App& app)
 {
     const auto options = std::make_shared<ImportOptions>();
-    app.add_option("FILE", options->file,
-                   "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
+    CLI::Option* const file =
+        app.add_option("FILE", options->file,
+                       "A file of Lottie (.json, .lottie), SVG (.svg, .svgz) or Synfig (.sif, .sifz)");
+    reads_file(file, {".lottie", ".svgz", ".sifz", ".json", ".svg", ".sif"});
     declare_output(app, options->output,
                    "The scene text, - for standard output (default: FILE's name with .kfast)",
                    StandardOutput::is_meant);

@@ -1,8 +1,8 @@
 #include "core/beam/beam_profile.hpp"
 #include "host/commands/command.hpp"
-#include "host/commands/info/tracks.hpp"
 #include "host/commands/info/ilda_info.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/info/tracks.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/render/picture_options.hpp"
@@ -15,8 +15,8 @@
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
 #include "host/preview/playback/key_times.hpp"
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 #include "host/walk/every_item.hpp"
 #include "host/walk/input_text.hpp"
 #include "host/words/scene_words.hpp"
@@ -303,8 +303,10 @@ void print_info(const InfoOptions& options)
 void declare_info(CLI::App& app)
 {
     const auto options = std::make_shared<InfoOptions>();
-    app.add_option("FILE", options->file, "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
-        ->required();
+    CLI::Option* const file = app.add_option("FILE", options->file,
+                                             "A scene text (.kfast), a compiled scene (.kfb) or an ILDA file")
+                                  ->required();
+    reads_file(file, {".kfast", ".kfb"});
     declare_json(app, options->json);
     app.add_flag("--tracks", options->tracks, "All that moves and turns items and bones, and when")
         ->group(option_group::report);

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/file/atomic_file.hpp"
 #include "host/program/failure.hpp"
 #include "host/udev/udev.hpp"
@@ -62,7 +63,7 @@ void declare_install_udev(CLI::App& app)
 {
     const auto options = std::make_shared<InstallUdevOptions>();
     app.add_flag("--dry-run", options->dry_run, "Print what would be done, and touch nothing");
-    app.add_option("--folder", options->folder, "Where the rules go")
+    names_folder(app.add_option("--folder", options->folder, "Where the rules go"))
         ->type_name("FOLDER")
         ->capture_default_str();
     app.callback([options] { install(*options); });

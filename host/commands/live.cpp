@@ -5,7 +5,7 @@
 #include "host/commands/devices/sending.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/live/live_stream.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/compile/scene_file.hpp"
 #include "host/link/remote_device.hpp"
@@ -168,8 +168,8 @@ void declare_stream_options(CLI::App& app, LiveOptions& options)
 void declare_live(CLI::App& app)
 {
     const auto options = std::make_shared<LiveOptions>();
-    app.add_option("SCENE", options->file,
-                   std::string{loaded_scene} + " to play from RAM (default: what plays)");
+    reads_scene(app.add_option("SCENE", options->file,
+                               std::string{loaded_scene} + " to play from RAM (default: what plays)"));
     declare_stream_options(app, *options);
     declare_device_options(app, options->device);
     app.callback([options] { live(*options); });

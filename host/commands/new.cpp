@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_values.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/templates/scene_templates.hpp"
@@ -170,7 +171,8 @@ void print_list(bool as_json)
 void declare_new(CLI::App& app)
 {
     const auto options = std::make_shared<NewOptions>();
-    CLI::Option* const path = app.add_option("SCENE", options->path, "The scene text to write (.kfast)");
+    CLI::Option* const path =
+        writes_file(app.add_option("SCENE", options->path, "The scene text to write (.kfast)"), {".kfast"});
     CLI::Option* const like = app.add_option_function<std::string>(
         "--like",
         [options](const std::string& name) { options->text = named(scene_templates(), "--like", name).text; },

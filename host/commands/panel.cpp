@@ -1,7 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/inputs/input_options.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/play_options.hpp"
 #include "host/commands/render/wired_panel_options.hpp"
@@ -103,7 +103,7 @@ void show(const PanelOptions& options)
 void declare_panel(CLI::App& app)
 {
     const auto options = std::make_shared<PanelOptions>();
-    app.add_option("SCENE", options->scene, loaded_scene)->required();
+    reads_scene(app.add_option("SCENE", options->scene, loaded_scene))->required();
     declare_wired_panel_options(app, options->panel);
     declare_play_options(app, options->play);
     declare_input_options(app, options->inputs);

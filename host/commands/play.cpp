@@ -76,8 +76,8 @@ void declare_play(CLI::App& app)
 {
     const OptionHeading heading{app, option_group::play};
     const auto options = std::make_shared<PlayCommandOptions>();
-    CLI::Option* const file = app.add_option(
-        "SCENE", options->file, std::string{loaded_scene} + "; it goes into RAM (default: what plays)");
+    CLI::Option* const file = reads_scene(app.add_option(
+        "SCENE", options->file, std::string{loaded_scene} + "; it goes into RAM (default: what plays)"));
     CLI::Option* const slot =
         app.add_option("--slot", options->slot, "The scene in this slot")->type_name("N")->excludes(file);
     CLI::Option* const built_in =

@@ -1,7 +1,8 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/render/preview_opener.hpp"
 #include "host/commands/text/quantity_text.hpp"
@@ -140,11 +141,13 @@ CLI::Option* declare_showing(CLI::App& app, PreviewOptions& options)
                "terminal plays once)")
             ->type_name("N")
             ->check(number_within(1, 1e6));
-    app.add_option(
-           "--beside", options.choice.beside,
-           "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
-           "... by frames, as render --all writes it")
-        ->type_name("FOLDER");
+    CLI::Option* const beside =
+        app.add_option(
+               "--beside", options.choice.beside,
+               "Show, right of each picture, what another panel has shown: a folder of 0000.png, 0001.png "
+               "... by frames, as render --all writes it")
+            ->type_name("FOLDER");
+    names_folder(beside, {"..."}); // no file ends so: folders alone are offered
     CLI::Option* const board_speed = app.add_flag(
         "--board-speed", options.board_speed, "Play as slowly as the board of --board would, as key w does");
     return app.add_flag("--headless", options.headless, "Show nothing; print the events and a summary")
@@ -178,7 +181,7 @@ void declare_unseen(CLI::App& app, PreviewOptions& options, CLI::Option* headles
 void declare_preview(CLI::App& app)
 {
     const auto options = std::make_shared<PreviewOptions>();
-    app.add_option("FILE", options->file, loaded_scene)->required();
+    reads_scene(app.add_option("FILE", options->file, loaded_scene))->required();
     CLI::Option* const headless = declare_showing(app, *options);
     headless->excludes(declare_audio_options(app, options->choice.audio));
     declare_unseen(app, *options, headless);

@@ -1,6 +1,6 @@
 #include "host/commands/command.hpp"
 #include "host/commands/import/import_options.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/render/rendering.hpp"
@@ -109,7 +109,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
     const OptionHeading heading{app, option_group::output};
     app.add_option("--kind", options.kind, "The files in a folder: png (default) or svg")
         ->type_name("KIND")
-        ->check(CLI::IsMember({"png", "svg"}));
+        ->check(one_of({"png", "svg"}));
     app.add_option("--scale", options.scale, "Each pixel as a square of so many a side")
         ->type_name("N")
         ->check(number_within(1, largest_scale));
@@ -123,7 +123,7 @@ void declare_files(CLI::App& app, RenderOptions& options)
 void declare_render(CLI::App& app)
 {
     const auto options = std::make_shared<RenderOptions>();
-    app.add_option("FILE", options->file, loaded_scene)->required();
+    reads_scene(app.add_option("FILE", options->file, loaded_scene))->required();
     declare_files(app, *options);
     declare_subject(app, *options);
     declare_play_options(app, options->play);

@@ -1,4 +1,5 @@
 #include "host/commands/command.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/render/picture_options.hpp"
@@ -126,8 +127,8 @@ void declare_simulated_panel(CLI::App& app, SimulateOptions& options)
 {
     const OptionHeading heading{app, option_group::display};
     CLI::Option* panel = declare_panel_option(app, options.panel);
-    app.add_option("--config", options.config,
-                   "Settings: a ready configuration or a file, as for 'kfast config'")
+    reads_file(app.add_option("--config", options.config,
+                              "Settings: a ready configuration or a file, as for 'kfast config'"))
         ->type_name("INPUT")
         ->excludes(panel);
 }
@@ -135,11 +136,14 @@ void declare_simulated_panel(CLI::App& app, SimulateOptions& options)
 void declare_plug(CLI::App& app, SimulateOptions& options)
 {
     const OptionHeading heading{app, option_group::device};
-    app.add_option("--socket", options.socket,
-                   "Where programs reach the board, as --device sim:PATH (default: where --device sim looks)")
+    writes_file(
+        app.add_option(
+            "--socket", options.socket,
+            "Where programs reach the board, as --device sim:PATH (default: where --device sim looks)"))
         ->type_name("PATH");
-    app.add_option("--flash-file", options.flash,
-                   "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)")
+    writes_file(app.add_option(
+                    "--flash-file", options.flash,
+                    "The file that holds the slots (default: sim-flash.bin among what kfast keeps for you)"))
         ->type_name("FILE");
     app.add_option("--serial", options.serial, "The serial number, of at most 24 letters")
         ->type_name("SERIAL")
@@ -150,7 +154,7 @@ void declare_plug(CLI::App& app, SimulateOptions& options)
 void declare_watching(CLI::App& app, SimulateOptions& options)
 {
     const OptionHeading heading{app, option_group::showing};
-    app.add_option("--picture", options.picture, "At the end, write what was shown last as PNG")
+    writes_file(app.add_option("--picture", options.picture, "At the end, write what was shown last as PNG"))
         ->type_name("FILE");
     app.add_flag("--headless", options.headless, "Open no window");
     app.add_flag("--print-frames", options.frames,
@@ -160,9 +164,11 @@ void declare_watching(CLI::App& app, SimulateOptions& options)
 void declare_simulate(CLI::App& app)
 {
     const auto options = std::make_shared<SimulateOptions>();
-    app.add_option("SCENE", options->scene,
-                   "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
-                   "Without it there is a test card");
+    CLI::Option* const scene =
+        app.add_option("SCENE", options->scene,
+                       "The built-in scene (.kfast, .kfb or a file to import): plays if no slot is chosen. "
+                       "Without it there is a test card");
+    reads_file(scene, {".kfb", ".kfast"});
     declare_simulated_panel(app, *options);
     declare_plug(app, *options);
     declare_watching(app, *options);

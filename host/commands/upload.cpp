@@ -116,7 +116,7 @@ void declare_upload(CLI::App& app)
 {
     const OptionHeading heading{app, option_group::contents};
     const auto options = std::make_shared<UploadOptions>();
-    app.add_option("SCENE", options->file, loaded_scene)->required();
+    reads_scene(app.add_option("SCENE", options->file, loaded_scene))->required();
     app.add_option("--slot", options->slot,
                    "Where it goes (default: the slot of the same name, else the first empty one)")
         ->type_name("N");

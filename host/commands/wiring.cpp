@@ -1,7 +1,7 @@
 #include "host/config/wiring.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/flash/settings_choice.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/text/table_lines.hpp"
 #include "host/config/configurations.hpp"
@@ -136,7 +136,7 @@ void declare_wiring(CLI::App& app)
         app.add_option("INPUT", options->settings.config,
                        "A ready configuration, or a .kdl, .bin or .uf2 file that holds one (docs/config.md)")
             ->required();
-    offer_names(input, config::configurations());
+    offer_names(reads_file(input, {".kdl", ".bin", ".uf2"}), config::configurations());
     declare_pin_option(app, options->settings.pins);
     declare_json(app, options->json);
     app.callback([options] { print_wiring(*options); });

@@ -1,6 +1,6 @@
 #include "host/commands/devices/device_options.hpp"
 
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/link/device_address.hpp"

@@ -2,7 +2,7 @@
 
 #include "firmware/settings/rp2040_pins.hpp"
 #include "host/beam/profile_choice.hpp"
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/config/config_input.hpp"
 #include "host/config/configurations.hpp"
@@ -164,7 +164,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
         app.add_option("--config", options.config,
                        "Settings: a ready configuration or a file, as for 'kfast config'")
             ->type_name("INPUT");
-    offer_names(config, config::configurations());
+    offer_names(reads_file(config), config::configurations());
     CLI::Option* const panel =
         app.add_option("--panel", options.panel,
                        "The same, by the display: the ready configuration of gc9a01, st7789 …")
@@ -177,7 +177,7 @@ void declare_settings_options(CLI::App& app, SettingsOptions& options)
             ->type_name("PROFILE")
             ->excludes(config)
             ->excludes(panel);
-    offer(beam, profile_names());
+    offer(reads_file(beam), profile_names());
     declare_pin_option(app, options.pins);
 }
 

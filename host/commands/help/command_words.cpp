@@ -1,52 +1,18 @@
 #include "host/commands/help/command_words.hpp"
 
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace kfast {
 namespace {
 
-constexpr std::array path_types{"FILE", "FILES", "FOLDER", "OUT", "INPUT", "PROFILE", "PATH"};
-/// Positional arguments have no type of their own.
-constexpr std::array path_names{"FILE", "SCENE", "INPUT", "FOLDER"};
-
-/// ".kfast" of "A scene text (.kfast)": what begins with a point between blanks and brackets.
-std::vector<std::string> endings_in(const std::string& help)
-{
-    std::vector<std::string> endings;
-    for (std::size_t at = help.find(" ."); at != std::string::npos; at = help.find(" .", at + 1))
-        endings.push_back(help.substr(at + 1));
-    for (std::size_t at = help.find("(."); at != std::string::npos; at = help.find("(.", at + 1))
-        endings.push_back(help.substr(at + 1));
-    for (std::string& ending : endings)
-        ending.resize(std::min(ending.find_first_of(" ,;:)", 1), ending.size()));
-    std::erase(endings, ".");
-    return endings;
-}
-
-template <class Names>
-bool is_among(const Names& names, const std::string& name)
-{
-    return std::ranges::find(names, name) != names.end();
-}
-
-/// Of "SECONDS:0.1 to 3600", as number_within() has it.
-std::string range_of(const std::string& type)
-{
-    const std::size_t begin = type.find(':');
-    return begin != std::string::npos && type.find(" to ", begin) != std::string::npos
-               ? type.substr(begin + 1)
-               : "";
-}
-
 /// Among those of the command; help comes last.
 std::size_t place_in_lists(const OptionWords& option)
 {
-    const bool is_help = is_among(option.names, "--help");
+    const bool is_help = std::ranges::find(option.names, "--help") != option.names.end();
     return option.is_positional ? 0 : 1 + place_of_group(option.group) + (is_help ? 1 : 0);
 }
 
@@ -63,19 +29,12 @@ OptionWords words_of(const CLI::Option& option)
     words.takes_many = option.get_items_expected_max() > 1;
     words.help = option.get_description();
     words.group = option.get_group();
-    words.offered = offered_names(option);
+    words.facts = option_facts(option);
     if (words.is_positional)
         words.names = {option.get_name(true)};
     words.type = option.get_type_name();
-    words.range = range_of(words.type);
     words.default_text = option.get_default_str();
     words.type.resize(std::min(words.type.find(':'), words.type.size()));
-    const bool is_output = is_among(words.names, "--output");
-    words.takes_path =
-        words.takes_value && (is_output || (words.is_positional ? is_among(path_names, words.names.front())
-                                                                : is_among(path_types, words.type)));
-    if (words.takes_path && !is_output)
-        words.endings = endings_in(words.help);
     return words;
 }
 
@@ -99,16 +58,17 @@ std::string whole_help(const OptionWords& option)
     std::string text = option.help;
     if (!option.default_text.empty())
         text += ' ' + std::string{default_mark} + ' ' + option.default_text + ')';
-    if (const std::size_t at = text.rfind(default_mark); !option.range.empty() && at != std::string::npos)
-        text.insert(at + 1, option.range + "; ");
-    else if (!option.range.empty())
-        text += " (" + option.range + ')';
+    if (const std::size_t at = text.rfind(default_mark);
+        !option.facts.range.empty() && at != std::string::npos)
+        text.insert(at + 1, option.facts.range + "; ");
+    else if (!option.facts.range.empty())
+        text += " (" + option.facts.range + ')';
     if (option.is_required && !option.is_positional)
         text += " (needed)";
-    if (option.takes_value && !option.offered.empty() &&
-        text.find(option.offered.front()) == std::string::npos) {
+    if (option.takes_value && !option.facts.offered.empty() &&
+        text.find(option.facts.offered.front()) == std::string::npos) {
         text += ". One of:";
-        for (const std::string& name : option.offered)
+        for (const std::string& name : option.facts.offered)
             text += ' ' + name;
     }
     return text;

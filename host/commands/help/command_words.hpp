@@ -1,5 +1,7 @@
 #pragma once
 
+#include "host/commands/options/option_facts.hpp"
+
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -14,13 +16,10 @@ struct OptionWords {
     bool is_required = false;
     bool takes_many = false;  ///< one after the other
     std::string type;         ///< how the help writes the value: "WxH"
-    std::string range;        ///< of a number: "0.1 to 3600"; may be empty
     std::string default_text; ///< unless the help has it
     std::string help;
     std::string group;
-    std::vector<std::string> offered; ///< values that may be meant
-    bool takes_path = false;          ///< of a file or a folder
-    std::vector<std::string> endings; ///< of the files that are meant, ".kfast"; none: all
+    OptionFacts facts; ///< what is known of it
 };
 
 /// The help with all that is known of the value: its range, its default, and the words it may be.

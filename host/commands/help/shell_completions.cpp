@@ -25,9 +25,9 @@ std::string names_of_commands(const CommandWords& command)
 /// What completes a value, as a call of a function of the script.
 std::string value_call(const OptionWords& option)
 {
-    std::string call = "_kfast_words \"" + joined(option.offered, " ") + '"';
-    if (option.takes_path)
-        call += "; _kfast_files " + joined(option.endings, " ");
+    std::string call = "_kfast_words \"" + joined(option.facts.offered, " ") + '"';
+    if (option.facts.takes_path())
+        call += "; _kfast_files " + joined(option.facts.endings, " ");
     return call;
 }
 
@@ -153,17 +153,17 @@ std::string action(const OptionWords& option)
     const std::string type = option.is_positional ? option.names.front() : option.type;
     std::string text = ':' + help_text(type) + ':';
     std::string words;
-    for (const std::string& word : option.offered)
+    for (const std::string& word : option.facts.offered)
         words.append(words.empty() ? "" : " ").append(word);
     std::string glob;
-    for (const std::string& ending : option.endings)
+    for (const std::string& ending : option.facts.endings)
         glob.append(glob.empty() ? "" : "|").append(ending.substr(1));
     const std::string files = glob.empty() ? "_files" : "_files -g \"*.(" + glob + ")\"";
-    if (!words.empty() && option.takes_path)
+    if (!words.empty() && option.facts.takes_path())
         return text + "{ compadd " + words + "; " + files + " }";
     if (!words.empty())
         return text + '(' + words + ')';
-    return text + (option.takes_path ? files : "");
+    return text + (option.facts.takes_path() ? files : "");
 }
 
 std::string specification(const OptionWords& option)
@@ -287,11 +287,11 @@ std::string when(const std::string& condition) { return " -n " + single_quoted(c
 std::string values(const OptionWords& option)
 {
     std::string words;
-    for (const std::string& word : option.offered)
+    for (const std::string& word : option.facts.offered)
         words += word + ' ';
-    if (option.takes_path && !option.endings.empty()) {
+    if (option.facts.takes_path() && !option.facts.endings.empty()) {
         words += "(__kfast_files";
-        for (const std::string& ending : option.endings)
+        for (const std::string& ending : option.facts.endings)
             words += ' ' + ending.substr(1); // without its dot
         words += ')';
     }
@@ -302,14 +302,15 @@ std::string line_of(const std::string& condition, const OptionWords& option)
 {
     std::string line = "complete -c kfast" + when(condition);
     if (option.is_positional)
-        return values(option).empty() && !option.takes_path
+        return values(option).empty() && !option.facts.takes_path()
                    ? ""
-                   : line + (option.takes_path && option.endings.empty() ? " -F" : " -f") + values(option) +
-                         '\n';
+                   : line + (option.facts.takes_path() && option.facts.endings.empty() ? " -F" : " -f") +
+                         values(option) + '\n';
     for (const std::string& name : option.names)
         line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     if (option.takes_value)
-        line += (option.takes_path && option.endings.empty() ? " -r -F" : " -x") + values(option);
+        line +=
+            (option.facts.takes_path() && option.facts.endings.empty() ? " -r -F" : " -x") + values(option);
     return line + " -d " + single_quoted(option.help) + '\n';
 }
 

@@ -1,7 +1,7 @@
 #include "host/commands/import/import_options.hpp"
 
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/option_values.hpp"
 #include "host/commands/text/quantity_text.hpp"
 #include "host/import/extent.hpp"
 #include "host/scene/context/palette.hpp"
@@ -80,6 +80,11 @@ Colour background(const std::string& text)
     return *colour;
 }
 
+}
+
+CLI::Option* reads_scene(CLI::Option* option)
+{
+    return reads_file(option, {".lottie", ".svg", ".sif", ".kfast", ".kfb", ".json"});
 }
 
 void declare_import_options(CLI::App& app, ImportChoice& choice)

@@ -16,6 +16,9 @@ art::Ease read_ease(const std::string& option, const std::string& text);
 inline constexpr const char* loaded_scene =
     "A scene text (.kfast), a compiled scene (.kfb), or a file to import (.json, .lottie, .svg, .sif)";
 
+/// Says that `option` names such a file (option_facts.hpp), and returns it.
+CLI::Option* reads_scene(CLI::Option* option);
+
 /// --tolerance, --canvas, --background, --animation and --strict, for commands that may load a file of
 /// another program.
 void declare_import_options(CLI::App& app, ImportChoice& choice);

@@ -1,7 +1,7 @@
 #include "host/commands/options/beam_options.hpp"
 
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/option_values.hpp"
 
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ CLI::Option* add(CLI::App& app, const std::function<void(const ChosenBeam&)>& se
                "--beam", [set](const std::string& name) { set(chosen_beam(name)); },
                "For a vector display: scope, crt, galvo, or a file that describes one, FILE.kdl")
             ->type_name("PROFILE");
-    return offer(beam, profile_names());
+    return offer(reads_file(beam), profile_names());
 }
 
 }
@@ -46,7 +46,7 @@ CLI::Option* add_invert(CLI::App& app, Deflection& deflection)
             },
             "What is upside down or mirrored on the screen")
         ->type_name("AXIS")
-        ->check(CLI::IsMember({"x", "y", "both"}));
+        ->check(one_of({"x", "y", "both"}));
 }
 
 }

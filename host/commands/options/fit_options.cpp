@@ -1,7 +1,8 @@
 #include "host/commands/options/fit_options.hpp"
 
-#include "host/commands/options/option_values.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
+#include "host/commands/options/option_values.hpp"
 #include "host/commands/text/progress.hpp"
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/board_choice.hpp"

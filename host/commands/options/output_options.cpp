@@ -1,5 +1,6 @@
 #include "host/commands/options/output_options.hpp"
 
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/text/quantity_text.hpp"
 #include "host/program/failure.hpp"
@@ -22,7 +23,9 @@ CLI::Option* declare_output(CLI::App& app, std::string& output, const std::strin
             return "standard output is not written to: say where to write";
         return {};
     };
-    return app.add_option("-o,--output", output, help)->type_name("OUT")->check(CLI::Validator{mistake, ""});
+    return writes_file(app.add_option("-o,--output", output, help))
+        ->type_name("OUT")
+        ->check(CLI::Validator{mistake, ""});
 }
 
 namespace fs = std::filesystem;

@@ -4,6 +4,7 @@
 #include "host/beam/beam_screen_source.hpp"
 #include "host/commands/inputs/input_options.hpp"
 #include "host/commands/options/beam_options.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/options/option_values.hpp"
 #include "host/commands/text/quantity_text.hpp"

@@ -1,6 +1,7 @@
 #include "host/commands/render/wired_panel_options.hpp"
 
 #include "firmware/settings/controller_facts.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
 #include "host/commands/render/picture_options.hpp"
 #include "host/commands/text/quantity_text.hpp"
@@ -81,7 +82,7 @@ void declare_glass_options(CLI::App& app, WiredPanelOptions& options)
     app.add_option("--row", options.row, "Likewise")->type_name("N");
     app.add_option("--rotation", options.degrees, "How far the picture is turned, clockwise")
         ->type_name("DEGREES")
-        ->check(CLI::IsMember({0, 90, 180, 270}));
+        ->check(one_of({0, 90, 180, 270}));
     add_choice(app, {"--bgr", "Red and blue are swapped on the glass (default: as on the usual module)"},
                {"--rgb", "They are not"}, options.bgr);
     add_choice(app, {"--inverted", "The glass shows colours inverted (likewise)"},
@@ -105,7 +106,7 @@ void declare_wire_options(CLI::App& app, WiredPanelOptions& options)
     app.add_option("--spi", options.spi, "The SPI device, like /dev/spidev0.0")->type_name("DEVICE");
     app.add_option("--spi-mode", options.spi_mode, "0 or 3 (default: 0)")
         ->type_name("MODE")
-        ->check(CLI::IsMember({0, 3}));
+        ->check(one_of({0, 3}));
     app.add_option_function<std::string>(
            "--clock", [&options](const std::string& text) { options.clock = read_clock("--clock", text); },
            "Of SPI, like 40MHz (default: what the display is rated for)")

@@ -2,8 +2,8 @@
 
 #include "host/commands/flash/flash_contents.hpp"
 #include "host/commands/import/import_options.hpp"
+#include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/options/option_values.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/commands/uf2/uf2_input.hpp"
@@ -76,13 +76,15 @@ void declare_uf2_pack(CLI::App& app)
 {
     const OptionHeading heading{app, option_group::contents};
     const auto options = std::make_shared<Uf2PackOptions>();
-    app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico")->type_name("FILE");
+    reads_file(app.add_option("--firmware", options->firmware, "The .bin of a firmware for the Pico"),
+               {".bin"})
+        ->type_name("FILE");
     CLI::Option* const config =
         app.add_option("--config", options->config,
                        "Settings: a ready configuration or a file, as for 'kfast config'")
             ->type_name("INPUT");
-    offer_names(config, config::configurations());
-    app.add_option("--scene", options->scene, loaded_scene)->type_name("FILE");
+    offer_names(reads_file(config), config::configurations());
+    reads_scene(app.add_option("--scene", options->scene, loaded_scene))->type_name("FILE");
     declare_output(app, options->output, "The file to write (.uf2)")->required();
     declare_quiet(app, options->quiet);
     app.footer("What is left out stays on the Pico as it is.\n\nExample:\n  kfast uf2 pack --firmware "
@@ -175,7 +177,7 @@ void inform(const Uf2InfoOptions& options)
 void declare_uf2_info(CLI::App& app)
 {
     const auto options = std::make_shared<Uf2InfoOptions>();
-    app.add_option("FILE", options->file, "A UF2 file")->required();
+    reads_file(app.add_option("FILE", options->file, "A UF2 file"))->required();
     declare_json(app, options->json);
     app.footer("Example:\n  kfast uf2 info eyes.uf2");
     app.callback([options] { inform(*options); });
@@ -253,8 +255,8 @@ void unpack(const Uf2UnpackOptions& options)
 void declare_uf2_unpack(CLI::App& app)
 {
     const auto options = std::make_shared<Uf2UnpackOptions>();
-    app.add_option("FILE", options->file, "A UF2 file")->required();
-    declare_output(app, options->folder, "The folder to write to; made if need be")
+    reads_file(app.add_option("FILE", options->file, "A UF2 file"))->required();
+    names_folder(declare_output(app, options->folder, "The folder to write to; made if need be"))
         ->required()
         ->type_name("FOLDER");
     app.add_option("--family", options->family, "Of a file for several kinds of chips: rp2040 or 0xe48bff56")
