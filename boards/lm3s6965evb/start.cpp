@@ -1,5 +1,5 @@
-#include "boards/lm3s6965evb/registers.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
+#include "firmware/chip/cortex_m.hpp"
 #include "firmware/serial/console.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void systick_handler();
 [[noreturn]] void reset_handler()
 {
 #ifdef __ARM_FP // without an FPU there is nothing to switch on
-    kfast::lm3s6965evb::cpacr.set(0xF << 20);
+    kfast::cortex_m::cpacr.set(kfast::cortex_m::cpacr_fpu);
     asm volatile("dsb\n isb");
 #endif
     std::copy(data_load, data_load + (data_end - data_begin), data_begin);

@@ -99,13 +99,13 @@ constexpr std::array<Handler, 41> handlers = [] {
     std::array<Handler, 41> table{};
     table.fill(fault_handler);
     table[0] = reset_handler;
-    table[of_chip(Interrupt::timer_0)] = timer_0_handler;
-    table[of_chip(Interrupt::usb)] = usb_handler;
-    table[of_chip(Interrupt::io_bank0)] = io_bank0_handler;
-    table[of_chip(Interrupt::uart0)] = uart_handler;
-    table[of_chip(Interrupt::uart1)] = uart_handler;
-    table[of_chip(Interrupt::i2c0)] = i2c0_handler;
-    table[of_chip(Interrupt::i2c1)] = i2c1_handler;
+    table[of_chip(Interrupt::timer_irq_0)] = timer_0_handler;
+    table[of_chip(Interrupt::usbctrl_irq)] = usb_handler;
+    table[of_chip(Interrupt::io_irq_bank0)] = io_bank0_handler;
+    table[of_chip(Interrupt::uart0_irq)] = uart_handler;
+    table[of_chip(Interrupt::uart1_irq)] = uart_handler;
+    table[of_chip(Interrupt::i2c0_irq)] = i2c0_handler;
+    table[of_chip(Interrupt::i2c1_irq)] = i2c1_handler;
     return table;
 }();
 
