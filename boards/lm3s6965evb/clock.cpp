@@ -1,7 +1,7 @@
 #include "boards/lm3s6965evb/clock.hpp"
 
 #include "boards/lm3s6965evb/clocks.hpp"
-#include "boards/lm3s6965evb/registers.hpp"
+#include "firmware/chip/cortex_m.hpp"
 
 #include <cstdint>
 
@@ -17,9 +17,10 @@ volatile std::uint32_t milliseconds = 0;
 
 void Clock::begin()
 {
-    systick_reload.write(cycles_per_millisecond - 1);
-    systick_value.write(0);
-    systick_control.write(7); // system clock, interrupt, on
+    cortex_m::syst_rvr.write(cycles_per_millisecond - 1);
+    cortex_m::syst_cvr.write(0);
+    cortex_m::syst_csr.write(cortex_m::syst_csr_clksource | cortex_m::syst_csr_tickint |
+                             cortex_m::syst_csr_enable);
 }
 
 Microseconds Clock::now() const
@@ -28,7 +29,7 @@ Microseconds Clock::now() const
     std::uint32_t cycles_left = 0;
     do { // again if the tick came between the two readings
         before = milliseconds;
-        cycles_left = systick_value.read();
+        cycles_left = cortex_m::syst_cvr.read();
     } while (before != milliseconds);
     return {before * 1000 + (cycles_per_millisecond - 1 - cycles_left) / cycles_per_microsecond};
 }

@@ -1,22 +1,10 @@
-#include "boards/lm3s6965evb/registers.hpp"
 #include "boards/lm3s6965evb/uart.hpp"
+#include "firmware/chip/cortex_m_start.hpp"
 #include "firmware/serial/console.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
 
 int main();
 
 extern "C" {
-
-// From the linker script.
-extern std::uint32_t data_load[];
-extern std::uint32_t data_begin[];
-extern std::uint32_t data_end[];
-extern std::uint32_t bss_begin[];
-extern std::uint32_t bss_end[];
-extern std::uint32_t stack_top[];
 
 void ssi0_handler();
 void systick_handler();
@@ -29,12 +17,10 @@ void systick_handler();
 
 [[noreturn]] void reset_handler()
 {
-#ifdef __ARM_FP // without an FPU there is nothing to switch on
-    kfast::lm3s6965evb::cpacr.set(0xF << 20);
-    asm volatile("dsb\n isb");
-#endif
-    std::copy(data_load, data_load + (data_end - data_begin), data_begin);
-    std::fill(bss_begin, bss_end, 0);
+    using namespace kfast::cortex_m;
+    switch_fpu_on();
+    copy_data();
+    clear_bss();
     main();
     stop();
 }
@@ -43,10 +29,8 @@ void systick_handler();
 [[noreturn]] void fault_handler()
 {
     using namespace kfast;
-    std::uint32_t exception = 0;
-    asm volatile("mrs %0, ipsr" : "=r"(exception));
     write_text(lm3s6965evb::uart, "FAULT ");
-    write_decimal(lm3s6965evb::uart, exception);
+    write_decimal(lm3s6965evb::uart, cortex_m::active_exception());
     lm3s6965evb::uart.write('\n');
     stop();
 }
@@ -54,22 +38,12 @@ void systick_handler();
 
 namespace {
 
-using Handler = void (*)();
+using namespace kfast::cortex_m;
 
-struct VectorTable {
-    std::uint32_t* stack;
-    std::array<Handler, 15 + 44> handlers; ///< 15 of the CPU, 44 of the chip
-};
+constexpr std::size_t chip_interrupts = 44;
+using Vectors = VectorTable<chip_interrupts>;
 
-constexpr std::array<Handler, 59> handlers = [] {
-    std::array<Handler, 59> table{};
-    table.fill(fault_handler);
-    table[0] = reset_handler;
-    table[14] = systick_handler;
-    table[15 + 7] = ssi0_handler;
-    return table;
-}();
-
-[[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vectors{stack_top, handlers};
+[[gnu::section(".vectors"), gnu::used]] constinit const Vectors vectors =
+    Vectors{reset_handler, fault_handler}.with(systick, systick_handler).with(interrupt(7), ssi0_handler);
 
 }

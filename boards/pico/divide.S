@@ -3,12 +3,12 @@
    handlers may divide too. A divisor of zero is the caller's mistake, as it is in C++. */
 
     .equ sio, 0xD0000000
-    .equ unsigned_dividend, 0x60
-    .equ unsigned_divisor, 0x64
-    .equ signed_dividend, 0x68
-    .equ signed_divisor, 0x6C
-    .equ quotient, 0x70 /* to be read last: reading it ends the division */
-    .equ remainder, 0x74
+    .equ div_udividend, 0x60
+    .equ div_udivisor, 0x64
+    .equ div_sdividend, 0x68
+    .equ div_sdivisor, 0x6C
+    .equ div_quotient, 0x70 /* to be read last: reading it ends the division */
+    .equ div_remainder, 0x74
 
     .syntax unified
     .cpu cortex-m0plus
@@ -32,12 +32,12 @@
 1:  b 2f
 2:  b 3f
 3:  b 4f
-4:  ldr r1, [r3, #remainder]
-    ldr r0, [r3, #quotient]
+4:  ldr r1, [r3, #div_remainder]
+    ldr r0, [r3, #div_quotient]
     msr primask, r2
     bx lr
     .ltorg
     .endm
 
-    divide __aeabi_uidiv, __aeabi_uidivmod, unsigned_dividend, unsigned_divisor
-    divide __aeabi_idiv, __aeabi_idivmod, signed_dividend, signed_divisor
+    divide __aeabi_uidiv, __aeabi_uidivmod, div_udividend, div_udivisor
+    divide __aeabi_idiv, __aeabi_idivmod, div_sdividend, div_sdivisor

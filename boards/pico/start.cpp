@@ -4,10 +4,7 @@
 #include "boards/pico/app/log.hpp"
 #include "boards/pico/chip/interrupts.hpp"
 #include "boards/pico/chip/led.hpp"
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include "firmware/chip/cortex_m_start.hpp"
 
 int main();
 
@@ -17,9 +14,6 @@ extern "C" {
 extern std::uint32_t code_load[];
 extern std::uint32_t code_begin[];
 extern std::uint32_t code_end[];
-extern std::uint32_t bss_begin[];
-extern std::uint32_t bss_end[];
-extern std::uint32_t stack_top[];
 
 void fault_handler();
 
@@ -37,8 +31,7 @@ void uart_handler();
     const std::uint32_t* from = code_load;
     for (std::uint32_t* to = code_begin; to != code_end;)
         *to++ = *from++;
-    for (std::uint32_t* to = bss_begin; to != bss_end;)
-        *to++ = 0;
+    kfast::cortex_m::clear_bss();
     asm volatile("" ::: "memory");
     main();
     while (true)
@@ -54,8 +47,7 @@ void uart_handler();
     if (make_safe != nullptr)
         make_safe();
     constexpr std::size_t place_of_pc = 6;
-    std::uint32_t exception = 0;
-    asm volatile("mrs %0, ipsr" : "=r"(exception));
+    const std::uint32_t exception = cortex_m::active_exception();
     log.send_waiting(); // makes room
     write_text(log, "\nFAULT ");
     write_decimal(log, exception);
@@ -82,33 +74,24 @@ void uart_handler();
 
 namespace {
 
-using Handler = void (*)();
+using kfast::pico::Interrupt;
 
-struct VectorTable {
-    std::uint32_t* stack;
-    std::array<Handler, 15 + 26> handlers; ///< 15 of the processor, 26 of the chip
-};
+constexpr std::size_t chip_interrupts = 26;
+using Vectors = kfast::cortex_m::VectorTable<chip_interrupts>;
 
-constexpr std::size_t of_chip(kfast::pico::Interrupt interrupt)
+constexpr std::size_t exception(Interrupt interrupt)
 {
-    return 15 + static_cast<std::size_t>(interrupt);
+    return kfast::cortex_m::interrupt(static_cast<std::size_t>(interrupt));
 }
 
-constexpr std::array<Handler, 41> handlers = [] {
-    using kfast::pico::Interrupt;
-    std::array<Handler, 41> table{};
-    table.fill(fault_handler);
-    table[0] = reset_handler;
-    table[of_chip(Interrupt::timer_0)] = timer_0_handler;
-    table[of_chip(Interrupt::usb)] = usb_handler;
-    table[of_chip(Interrupt::io_bank0)] = io_bank0_handler;
-    table[of_chip(Interrupt::uart0)] = uart_handler;
-    table[of_chip(Interrupt::uart1)] = uart_handler;
-    table[of_chip(Interrupt::i2c0)] = i2c0_handler;
-    table[of_chip(Interrupt::i2c1)] = i2c1_handler;
-    return table;
-}();
-
-[[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vectors{stack_top, handlers};
+[[gnu::section(".vectors"), gnu::used]] constinit const Vectors vectors =
+    Vectors{reset_handler, fault_handler}
+        .with(exception(Interrupt::timer_irq_0), timer_0_handler)
+        .with(exception(Interrupt::usbctrl_irq), usb_handler)
+        .with(exception(Interrupt::io_irq_bank0), io_bank0_handler)
+        .with(exception(Interrupt::uart0_irq), uart_handler)
+        .with(exception(Interrupt::uart1_irq), uart_handler)
+        .with(exception(Interrupt::i2c0_irq), i2c0_handler)
+        .with(exception(Interrupt::i2c1_irq), i2c1_handler);
 
 }

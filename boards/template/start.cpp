@@ -1,20 +1,8 @@
-#include "firmware/chip/register.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include "firmware/chip/cortex_m_start.hpp"
 
 int main();
 
 extern "C" {
-
-// From the linker script.
-extern std::uint32_t data_load[];
-extern std::uint32_t data_begin[];
-extern std::uint32_t data_end[];
-extern std::uint32_t bss_begin[];
-extern std::uint32_t bss_end[];
-extern std::uint32_t stack_top[];
 
 /// Also what comes of an exception that nobody handles.
 [[noreturn]] void stop()
@@ -25,13 +13,10 @@ extern std::uint32_t stack_top[];
 
 [[noreturn]] void reset_handler()
 {
-#ifdef __ARM_FP // an FPU is off after a reset, and the compiler keeps integers in it as well
-    constexpr kfast::Register cpacr{0xE000'ED88};
-    cpacr.set(0xF << 20);
-    asm volatile("dsb\n isb");
-#endif
-    std::copy(data_load, data_load + (data_end - data_begin), data_begin);
-    std::fill(bss_begin, bss_end, 0);
+    using namespace kfast::cortex_m;
+    switch_fpu_on();
+    copy_data();
+    clear_bss();
     main();
     stop();
 }
@@ -39,24 +24,12 @@ extern std::uint32_t stack_top[];
 
 namespace {
 
-using Handler = void (*)();
+using namespace kfast::cortex_m;
 
-constexpr std::size_t cpu_exceptions = 15;
 constexpr std::size_t chip_interrupts = 32; // as many as the chip has
+using Vectors = VectorTable<chip_interrupts>;
 
-struct VectorTable {
-    std::uint32_t* stack;
-    std::array<Handler, cpu_exceptions + chip_interrupts> handlers;
-};
-
-/// Put yours in their places: SysTick is handlers[14], interrupt n of the chip handlers[15 + n].
-constexpr auto handlers = [] {
-    std::array<Handler, cpu_exceptions + chip_interrupts> table{};
-    table.fill(stop);
-    table[0] = reset_handler;
-    return table;
-}();
-
-[[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vectors{stack_top, handlers};
+/// Add yours: .with(systick, systick_handler), .with(interrupt(7), uart_handler).
+[[gnu::section(".vectors"), gnu::used]] constinit const Vectors vectors = Vectors{reset_handler, stop};
 
 }

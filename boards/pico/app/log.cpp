@@ -40,7 +40,7 @@ void Log::begin(Pin pin) const
     resets::restart(*unit == 0 ? resets::uart0 : resets::uart1);
     uart = uart_of(*unit);
     uart->begin(divisor);
-    enable(*unit == 0 ? Interrupt::uart0 : Interrupt::uart1);
+    enable(*unit == 0 ? Interrupt::uart0_irq : Interrupt::uart1_irq);
 }
 
 bool Log::is_on() const { return uart.has_value(); }

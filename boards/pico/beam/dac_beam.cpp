@@ -39,25 +39,27 @@ constexpr std::uint32_t still_lights_in_second = 500;
 /// Gives a pin to the machine that has a side-set, set or out pin there, and its level at the beginning.
 void drive(const pio::Machine& machine, Pin pin, std::uint32_t level)
 {
-    machine.pin_ranges().write(pio::one_set_pin | static_cast<std::uint32_t>(pin) << pio::set_base_at);
-    machine.execute_now().write(pio::set_pins(level));
-    machine.execute_now().write(pio::set_directions_1);
+    machine.pinctrl().write(pio::pinctrl_set_count_1 | static_cast<std::uint32_t>(pin)
+                                                           << pio::pinctrl_set_base_lsb);
+    machine.instr().write(pio::set_pins(level));
+    machine.instr().write(pio::set_pindirs_1);
 }
 
 template <std::size_t size>
 void load(const pio::Machine& machine, const std::array<std::uint32_t, size>& program, std::uint32_t place)
 {
     for (std::uint32_t at = 0; at < size; ++at)
-        pio::program_memory(place + at).write(program[at]);
-    machine.execution().write((place + size - 1) << pio::wrap_from_at | place << pio::wrap_to_at);
-    machine.shifting().write(0); // to the left, nothing by itself
+        pio::instr_mem(place + at).write(program[at]);
+    machine.execctrl().write((place + size - 1) << pio::execctrl_wrap_top_lsb |
+                             place << pio::execctrl_wrap_bottom_lsb);
+    machine.shiftctrl().write(0); // to the left, nothing by itself
 }
 
 void give(const pio::Machine& machine, std::uint32_t word, std::uint32_t take_over)
 {
-    machine.transmit().write(word);
-    machine.execute_now().write(pio::pull);
-    machine.execute_now().write(take_over);
+    machine.txf().write(word);
+    machine.instr().write(pio::pull);
+    machine.instr().write(take_over);
 }
 
 std::uint32_t range(Pin pin, int at) { return static_cast<std::uint32_t>(pin) << at; }
@@ -69,15 +71,15 @@ void set_up_dac_output(const BoardSettings& settings, std::uint32_t default_poin
     const Pin select = settings.pin(PinRole::select);
     const rp2040::DacBit bit = rp2040::dac_bit(settings.bus_clock);
     load(dac_output, pio::dac_output_program(bit), 0);
-    dac_output.clock_divisor().write(bit.divisor << pio::divisor_at);
+    dac_output.clkdiv().write(bit.divisor << pio::clkdiv_int_lsb);
     drive(dac_output, bits, 0);
     drive(dac_output, data, 1);
     drive(dac_output, select, 1);
-    dac_output.pin_ranges().write(pio::one_side_set_pin | range(bits, pio::side_set_base_at) |
-                                  pio::one_set_pin | range(select, pio::set_base_at) |
-                                  1u << pio::out_pins_at | range(data, pio::out_base_at));
+    dac_output.pinctrl().write(pio::pinctrl_sideset_count_1 | range(bits, pio::pinctrl_sideset_base_lsb) |
+                               pio::pinctrl_set_count_1 | range(select, pio::pinctrl_set_base_lsb) |
+                               1u << pio::pinctrl_out_count_lsb | range(data, pio::pinctrl_out_base_lsb));
     give(dac_output, default_point, pio::mov_isr_osr);
-    dac_output.execute_now().write(pio::jump(0));
+    dac_output.instr().write(pio::jmp(0));
     for (const Pin pin : {bits, data, select})
         connect(pin, PinFunction::pio0, Pad::fast_output);
 }
@@ -88,14 +90,14 @@ void set_up_clock(const BoardSettings& settings, std::uint32_t place)
     const Pin blank = settings.pin(PinRole::blank);
     const pio::PointClock points = pio::point_clock(rp2040::cycles_per_point(settings.beam.rate));
     load(clock, pio::point_clock_program(points, place), place);
-    clock.clock_divisor().write(1 << pio::divisor_at);
+    clock.clkdiv().write(1 << pio::clkdiv_int_lsb);
     drive(clock, ldac, 1);
     drive(clock, blank, 1);
-    clock.pin_ranges().write(pio::one_side_set_pin | range(ldac, pio::side_set_base_at) |
-                             range(settings.pin(PinRole::data), pio::in_base_at) | 1u << pio::out_pins_at |
-                             range(blank, pio::out_base_at));
+    clock.pinctrl().write(pio::pinctrl_sideset_count_1 | range(ldac, pio::pinctrl_sideset_base_lsb) |
+                          range(settings.pin(PinRole::data), pio::pinctrl_in_base_lsb) |
+                          1u << pio::pinctrl_out_count_lsb | range(blank, pio::pinctrl_out_base_lsb));
     give(clock, points.turns, pio::mov_y_osr);
-    clock.execute_now().write(pio::jump(place) | pio::side_high);
+    clock.instr().write(pio::jmp(place) | pio::side_1);
     connect(ldac, PinFunction::pio0, Pad::fast_output);
     shutter::hand_over();
 }
@@ -110,8 +112,8 @@ DacBeam::DacBeam(const BoardSettings& settings)
     resets::restart(resets::pio0);
     set_up_dac_output(settings, parked.points[0]);
     set_up_clock(settings, static_cast<std::uint32_t>(pio::dac_output_program({}).size()));
-    looped_words::begin(parked.loop, dac_output.transmit(), dma::Request::pio0_tx0);
-    pio::control.write(both_machines * (pio::machine_enable | pio::divisor_restart));
+    looped_words::begin(parked.loop, dac_output.txf(), dma::Dreq::pio0_tx0);
+    pio::ctrl.write(both_machines * (pio::ctrl_sm_enable | pio::ctrl_clkdiv_restart));
 }
 
 std::uint32_t DacBeam::room() const { return max_points; }

@@ -21,36 +21,36 @@ constexpr std::array<std::uint32_t, 25> dac_output_program(const rp2040::DacBit&
 {
     constexpr std::uint32_t cs_to_clock = 2; // and the low half of a bit: 40 ns in all, which mode 1,1 needs
     constexpr std::uint32_t rest_of_clock = 5; // low for 40 ns before CS falls
-    const std::uint32_t low = side_low | lasting(bit.low);
-    const std::uint32_t high = side_high | lasting(bit.high);
+    const std::uint32_t low = side_0 | lasting(bit.low);
+    const std::uint32_t high = side_1 | lasting(bit.high);
     return {
-        wait_for_flag_0 | side_low,
-        mov_x_isr | side_low,
-        pull_or_x | side_low,
-        out_y_8 | side_low,
+        wait_irq_0 | side_0,
+        mov_x_isr | side_0,
+        pull_noblock | side_0,
+        out_y_8 | side_0,
         // 0111 and x: to converter A, its reference buffered, gain 1, on.
-        set_pins(0) | side_low | lasting(cs_to_clock),
-        mov_pins_zeros | low,
+        set_pins(0) | side_0 | lasting(cs_to_clock),
+        mov_pins_null | low,
         set_x(3 - 1) | high,
-        /* 7 */ mov_pins_ones | low,
-        jump_while_x_counts_down(7) | high,
-        set_x(12 - 1) | side_low,
+        /* 7 */ mov_pins_not_null | low,
+        jmp_x_dec(7) | high,
+        set_x(12 - 1) | side_0,
         /* 10 */ out_pins_1 | low,
-        jump_while_x_counts_down(10) | high,
-        set_pins(1) | side_low | lasting(rest_of_clock),
+        jmp_x_dec(10) | high,
+        set_pins(1) | side_0 | lasting(rest_of_clock),
         // 1111 and y: to converter B.
-        set_pins(0) | side_low | lasting(cs_to_clock),
-        set_x(4 - 1) | side_low,
-        /* 15 */ mov_pins_ones | low,
-        jump_while_x_counts_down(15) | high,
-        set_x(12 - 1) | side_low,
+        set_pins(0) | side_0 | lasting(cs_to_clock),
+        set_x(4 - 1) | side_0,
+        /* 15 */ mov_pins_not_null | low,
+        jmp_x_dec(15) | high,
+        set_x(12 - 1) | side_0,
         /* 18 */ out_pins_1 | low,
-        jump_while_x_counts_down(18) | high,
-        set_pins(1) | side_low,
-        jump_if_not_y(24) | side_low,
-        mov_pins_zeros | side_low,
-        jump(0) | side_low,
-        /* 24 */ mov_pins_ones | side_low,
+        jmp_x_dec(18) | high,
+        set_pins(1) | side_0,
+        jmp_not_y(24) | side_0,
+        mov_pins_null | side_0,
+        jmp(0) | side_0,
+        /* 24 */ mov_pins_not_null | side_0,
     };
 }
 
@@ -78,10 +78,10 @@ constexpr PointClock point_clock(std::uint32_t cycles)
 constexpr std::array<std::uint32_t, 4> point_clock_program(const PointClock& clock, std::uint32_t place)
 {
     return {
-        mov_pins_pins | side_low,
-        set_flag_0 | side_low | lasting(PointClock::latch - 1),
-        mov_x_y | side_high | lasting(clock.rest),
-        jump_while_x_counts_down(place + 3) | side_high | lasting(PointClock::turn),
+        mov_pins_pins | side_0,
+        irq_set_0 | side_0 | lasting(PointClock::latch - 1),
+        mov_x_y | side_1 | lasting(clock.rest),
+        jmp_x_dec(place + 3) | side_1 | lasting(PointClock::turn),
     };
 }
 

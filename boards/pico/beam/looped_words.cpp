@@ -15,8 +15,8 @@ constexpr dma::Channel chooser{1};
 constexpr dma::Channel starter{2};
 
 constexpr std::uint32_t always =
-    dma::enabled | dma::high_priority | dma::piece_of(dma::Piece::word_32) | dma::quiet;
-constexpr std::uint32_t unpaced = always | dma::paced_by(dma::Request::nobody);
+    dma::ctrl_en | dma::ctrl_high_priority | dma::ctrl_data_size(dma::DataSize::word) | dma::ctrl_irq_quiet;
+constexpr std::uint32_t unpaced = always | dma::ctrl_treq_sel(dma::Dreq::permanent);
 
 static_assert(sizeof(Loop) == 8);
 constexpr std::uint32_t bits_of_loop = 3;
@@ -30,20 +30,21 @@ std::uint32_t address_of(const volatile void* object)
 
 }
 
-void begin(const Loop& first, Register target, dma::Request request)
+void begin(const Loop& first, Register target, dma::Dreq request)
 {
     resets::restart(resets::dma);
     go_over_to(first);
-    words.write_address().write(target.address());
-    words.control().write(always | dma::read_next | dma::chain_to(chooser) | dma::paced_by(request));
-    starter.write_address().write(words.transfer_count_before_start().address());
-    starter.transfer_count().write(sizeof(Loop) / 4);
-    starter.control().write(unpaced | dma::read_next | dma::write_next | dma::write_round(bits_of_loop) |
-                            dma::chain_to(starter));
-    chooser.read_address().write(address_of(&next));
-    chooser.write_address().write(starter.read_address_and_start().address());
-    chooser.transfer_count().write(1);
-    chooser.control_and_start().write(unpaced | dma::chain_to(chooser));
+    words.write_addr().write(target.address());
+    words.al1_ctrl().write(always | dma::ctrl_incr_read | dma::ctrl_chain_to(chooser) |
+                           dma::ctrl_treq_sel(request));
+    starter.write_addr().write(words.al3_trans_count().address());
+    starter.trans_count().write(sizeof(Loop) / 4);
+    starter.al1_ctrl().write(unpaced | dma::ctrl_incr_read | dma::ctrl_incr_write |
+                             dma::ctrl_ring_write(bits_of_loop) | dma::ctrl_chain_to(starter));
+    chooser.read_addr().write(address_of(&next));
+    chooser.write_addr().write(starter.al3_read_addr_trig().address());
+    chooser.trans_count().write(1);
+    chooser.ctrl_trig().write(unpaced | dma::ctrl_chain_to(chooser));
 }
 
 void go_over_to(const Loop& loop)
@@ -56,7 +57,7 @@ void go_over_to(const Loop& loop)
 // the one that runs is not the end of what was asked for, as these do not lie side by side.
 bool has_gone_over()
 {
-    const bool result = starter.read_address().read() == address_of(next + 1);
+    const bool result = starter.read_addr().read() == address_of(next + 1);
     std::atomic_signal_fence(std::memory_order_acquire); // nobody writes to the words before
     return result;
 }

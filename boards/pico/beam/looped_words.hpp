@@ -25,7 +25,7 @@ private:
 };
 
 /// Starts with `first`, of one word at least, as all of them. Needs start_clocks().
-void begin(const Loop& first, Register target, dma::Request request);
+void begin(const Loop& first, Register target, dma::Dreq request);
 
 /// `loop` is gone over to when the one that runs has come to its end. It and its words stay as they are until
 /// another one runs. Not one that lies right in front of the one that runs (has_gone_over()).

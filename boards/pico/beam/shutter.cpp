@@ -5,8 +5,6 @@
 namespace kfast::pico::shutter {
 namespace {
 
-constexpr std::uint32_t forced_high = 3 << 8;
-
 // All of them begin with zero: start.cpp knows no other.
 std::optional<Pin> pin;
 bool is_handed_over = false;
@@ -16,9 +14,9 @@ bool is_busy_now = false;
 void settle()
 {
     const bool is_open = is_armed_now && is_busy_now;
-    const PinFunction function = is_handed_over ? PinFunction::pio0 : PinFunction::processor;
+    const PinFunction function = is_handed_over ? PinFunction::pio0 : PinFunction::sio;
     if (pin)
-        pin_control(*pin).write(static_cast<std::uint32_t>(function) | (is_open ? 0 : forced_high));
+        gpio_ctrl(*pin).write(static_cast<std::uint32_t>(function) | (is_open ? 0 : gpio_ctrl_outover_high));
 }
 
 }

@@ -8,13 +8,13 @@ namespace kfast::pico::button {
 void begin(Pin pin)
 {
     connect_input(pin);
-    pin_edges::seen(pin).write(pin_edges::fallen(pin));
+    pin_edges::intr(pin).write(pin_edges::edge_low(pin));
 }
 
 bool pressed(Pin pin)
 {
-    const bool has_closed = (pin_edges::seen(pin).read() & pin_edges::fallen(pin)) != 0;
-    pin_edges::seen(pin).write(pin_edges::fallen(pin));
+    const bool has_closed = (pin_edges::intr(pin).read() & pin_edges::edge_low(pin)) != 0;
+    pin_edges::intr(pin).write(pin_edges::edge_low(pin));
     return has_closed || !is_high(pin);
 }
 

@@ -10,11 +10,12 @@
 namespace kfast::pico {
 namespace {
 
-constexpr Register timer_alarm_0{0x4005'4010};
-constexpr Register timer_low{0x4005'4028};
-constexpr Register timer_raised{0x4005'4034};
-constexpr Register timer_enable{0x4005'4038};
-constexpr std::uint32_t alarm_0 = 1 << 0;
+// TIMER
+constexpr Register timer_alarm0{0x4005'4010};
+constexpr Register timerawl{0x4005'4028};
+constexpr Register timer_intr{0x4005'4034};
+constexpr Register timer_inte{0x4005'4038};
+constexpr std::uint32_t alarm_0 = 1 << 0; // in INTR and INTE
 
 constexpr Microseconds longest_sleep{1'000'000}; // so that the watchdog is fed
 
@@ -23,11 +24,11 @@ constexpr Microseconds longest_sleep{1'000'000}; // so that the watchdog is fed
 void Clock::begin()
 {
     resets::release(resets::timer);
-    timer_enable.set(alarm_0);
-    enable(Interrupt::timer_0);
+    timer_inte.set(alarm_0);
+    enable(Interrupt::timer_irq_0);
 }
 
-Microseconds Clock::now() const { return {timer_low.read()}; }
+Microseconds Clock::now() const { return {timerawl.read()}; }
 
 void Clock::sleep_until(Microseconds moment) const
 {
@@ -42,7 +43,7 @@ void Clock::doze_until(Microseconds moment) const
     if (reached(start, moment))
         return;
     const Microseconds end = (moment - start).count > longest_sleep.count ? start + longest_sleep : moment;
-    timer_alarm_0.write(end.count);
+    timer_alarm0.write(end.count);
     // The alarm rings only if the time is yet to come. An interrupt that comes before the processor sleeps
     // ends the sleep as well (WFE, not WFI).
     if (!reached(now(), end))
@@ -50,6 +51,6 @@ void Clock::doze_until(Microseconds moment) const
     watchdog::feed();
 }
 
-extern "C" void timer_0_handler() { timer_raised.write(alarm_0); }
+extern "C" void timer_0_handler() { timer_intr.write(alarm_0); }
 
 }

@@ -8,13 +8,13 @@ namespace kfast::pico {
 
 inline constexpr std::uint32_t crystal_hz = 12'000'000;
 
-/// How a PLL makes a clock of the crystal's: times `feedback`, within 750 … 1600 MHz, and divided twice.
+/// How a PLL makes a clock of the crystal's: times `fbdiv`, within 750 … 1600 MHz, and divided twice.
 struct PllSetting {
-    std::uint32_t feedback;
-    std::uint32_t first_divider;  ///< 1 … 7, no less than the second
-    std::uint32_t second_divider; ///< 1 … 7
+    std::uint32_t fbdiv;
+    std::uint32_t postdiv1; ///< 1 … 7, no less than the second
+    std::uint32_t postdiv2; ///< 1 … 7
 
-    constexpr std::uint32_t hz() const { return crystal_hz * feedback / (first_divider * second_divider); }
+    constexpr std::uint32_t hz() const { return crystal_hz * fbdiv / (postdiv1 * postdiv2); }
 };
 
 inline constexpr PllSetting system_pll{125, 6, 2};

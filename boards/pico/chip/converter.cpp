@@ -10,24 +10,25 @@
 namespace kfast::pico::converter {
 namespace {
 
-constexpr Register control{0x4004'C000};
+// ADC
+constexpr Register cs{0x4004'C000};
 constexpr Register result{0x4004'C004};
-constexpr std::uint32_t unit_enable = 1 << 0;
-constexpr std::uint32_t convert_once = 1 << 2;
-constexpr std::uint32_t ready = 1 << 8;
-constexpr int input_at = 12;
+constexpr std::uint32_t cs_en = 1 << 0;
+constexpr std::uint32_t cs_start_once = 1 << 2;
+constexpr std::uint32_t cs_ready = 1 << 8;
+constexpr int cs_ainsel_lsb = 12;
 
 constexpr int conversions = 4;
 
 void wait_until_ready()
 {
-    while ((control.read() & ready) == 0) {
+    while ((cs.read() & cs_ready) == 0) {
     }
 }
 
 int convert(std::uint32_t input)
 {
-    control.write(unit_enable | input << input_at | convert_once);
+    cs.write(cs_en | input << cs_ainsel_lsb | cs_start_once);
     wait_until_ready();
     return static_cast<int>(result.read());
 }
@@ -36,9 +37,9 @@ int convert(std::uint32_t input)
 
 void begin(Pin pin)
 {
-    connect(pin, PinFunction::none, Pad::converter_input);
+    connect(pin, PinFunction::null, Pad::converter_input);
     resets::release(resets::adc);
-    control.write(unit_enable);
+    cs.write(cs_en);
     wait_until_ready();
 }
 

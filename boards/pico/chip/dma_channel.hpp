@@ -6,24 +6,24 @@
 
 namespace kfast::pico::dma {
 
-/// Who asks for the next piece: the numbers of the chip's table.
-enum class Request : std::uint32_t { pio0_tx0 = 0, spi0_tx = 16, spi1_tx = 18, nobody = 0x3F };
+/// Who asks for the next piece: the numbers of the chip's table of DREQs. `permanent`: nobody, at once.
+enum class Dreq : std::uint32_t { pio0_tx0 = 0, spi0_tx = 16, spi1_tx = 18, permanent = 0x3F };
 
-/// What is written at once.
-enum class Piece : std::uint32_t { byte, word_16, word_32 };
+/// What is written at once: 1, 2 or 4 bytes.
+enum class DataSize : std::uint32_t { byte, halfword, word };
 
-/// The registers of a channel.
+/// The registers of a channel, some of them in its aliases AL1 and AL3.
 struct Channel {
     std::uint32_t number;
 
-    constexpr Register read_address() const { return at(0x00); }
-    constexpr Register write_address() const { return at(0x04); }
-    constexpr Register transfer_count() const { return at(0x08); }
-    constexpr Register control_and_start() const { return at(0x0C); }
-    constexpr Register control() const { return at(0x10); }
+    constexpr Register read_addr() const { return at(0x00); }
+    constexpr Register write_addr() const { return at(0x04); }
+    constexpr Register trans_count() const { return at(0x08); }
+    constexpr Register ctrl_trig() const { return at(0x0C); }
+    constexpr Register al1_ctrl() const { return at(0x10); }
     // The two lie side by side, 8 bytes aligned to 8.
-    constexpr Register transfer_count_before_start() const { return at(0x38); }
-    constexpr Register read_address_and_start() const { return at(0x3C); }
+    constexpr Register al3_trans_count() const { return at(0x38); }
+    constexpr Register al3_read_addr_trig() const { return at(0x3C); }
 
 private:
     constexpr Register at(std::uint32_t offset) const
@@ -32,19 +32,19 @@ private:
     }
 };
 
-// Bits of a channel's control.
-inline constexpr std::uint32_t enabled = 1 << 0;
-inline constexpr std::uint32_t high_priority = 1 << 1;
-inline constexpr std::uint32_t read_next = 1 << 4;
-inline constexpr std::uint32_t write_next = 1 << 5;
-inline constexpr std::uint32_t quiet = 1 << 21; // no interrupt
-inline constexpr std::uint32_t is_busy = 1 << 24;
+// Fields of a channel's CTRL.
+inline constexpr std::uint32_t ctrl_en = 1 << 0;
+inline constexpr std::uint32_t ctrl_high_priority = 1 << 1;
+inline constexpr std::uint32_t ctrl_incr_read = 1 << 4;
+inline constexpr std::uint32_t ctrl_incr_write = 1 << 5;
+inline constexpr std::uint32_t ctrl_irq_quiet = 1 << 21; // no interrupt
+inline constexpr std::uint32_t ctrl_busy = 1 << 24;
 
-constexpr std::uint32_t piece_of(Piece piece) { return static_cast<std::uint32_t>(piece) << 2; }
+constexpr std::uint32_t ctrl_data_size(DataSize piece) { return static_cast<std::uint32_t>(piece) << 2; }
 /// What is written goes round in 2 to the power of `bits` bytes.
-constexpr std::uint32_t write_round(std::uint32_t bits) { return 1 << 10 | bits << 6; }
+constexpr std::uint32_t ctrl_ring_write(std::uint32_t bits) { return 1 << 10 | bits << 6; }
 /// Which channel begins when this one has finished: itself for none.
-constexpr std::uint32_t chain_to(Channel channel) { return channel.number << 11; }
-constexpr std::uint32_t paced_by(Request request) { return static_cast<std::uint32_t>(request) << 15; }
+constexpr std::uint32_t ctrl_chain_to(Channel channel) { return channel.number << 11; }
+constexpr std::uint32_t ctrl_treq_sel(Dreq request) { return static_cast<std::uint32_t>(request) << 15; }
 
 }

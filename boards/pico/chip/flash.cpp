@@ -2,6 +2,7 @@
 
 #include "boards/pico/chip/boot_rom.hpp"
 #include "boards/pico/chip/interrupts.hpp"
+#include "boards/pico/chip/pins.hpp"
 #include "boards/pico/chip/register.hpp"
 #include "boards/pico/chip/watchdog.hpp"
 #include "firmware/settings/rp2040_flash.hpp"
@@ -55,25 +56,24 @@ private:
 
 // Of the unit that speaks with the flash chip (SSI); in command mode the boot ROM has set it up for bytes,
 // one in for each one out.
-constexpr Register flash_status{0x1800'0028};
-constexpr Register flash_data{0x1800'0060};
-constexpr std::uint32_t has_byte = 1 << 3;
+constexpr Register ssi_sr{0x1800'0028};
+constexpr Register ssi_dr0{0x1800'0060};
+constexpr std::uint32_t ssi_sr_rfne = 1 << 3;
 
-// The pin that selects the flash chip is forced low or high, as the unit would let go of it whenever it has
-// nothing to send. The boot ROM does the same; flushing the cache ends that.
-constexpr Register select_control{0x4001'800C};
-constexpr std::uint32_t force_select = 2 << 8;
-constexpr std::uint32_t select_high = 1 << 8;
+// GPIO_QSPI_SS_CTRL of IO_QSPI: the pin that selects the flash chip is forced low or high, as the unit would
+// let go of it whenever it has nothing to send. The boot ROM does the same; flushing the cache ends that.
+constexpr Register gpio_qspi_ss_ctrl{0x4001'800C};
+constexpr std::uint32_t outover_from_low_to_high = gpio_ctrl_outover_low ^ gpio_ctrl_outover_high;
 
 /// While it lives the flash chip takes what is sent as one command.
 class Selected {
 public:
     Selected()
     {
-        select_control.set(force_select);
-        select_control.clear(select_high);
+        gpio_qspi_ss_ctrl.set(gpio_ctrl_outover_low);
+        gpio_qspi_ss_ctrl.clear(outover_from_low_to_high);
     }
-    ~Selected() { select_control.set(select_high); }
+    ~Selected() { gpio_qspi_ss_ctrl.set(outover_from_low_to_high); }
     Selected(const Selected&) = delete;
     Selected& operator=(const Selected&) = delete;
 };
@@ -81,10 +81,10 @@ public:
 /// Sends a byte, and returns what the chip said meanwhile.
 std::byte exchange(std::uint8_t byte)
 {
-    flash_data.write(byte);
-    while ((flash_status.read() & has_byte) == 0) {
+    ssi_dr0.write(byte);
+    while ((ssi_sr.read() & ssi_sr_rfne) == 0) {
     }
-    return static_cast<std::byte>(flash_data.read());
+    return static_cast<std::byte>(ssi_dr0.read());
 }
 
 void expect(bool is_kept)

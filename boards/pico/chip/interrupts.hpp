@@ -1,6 +1,6 @@
 #pragma once
 
-#include "boards/pico/chip/register.hpp"
+#include "firmware/chip/cortex_m.hpp"
 
 #include <cstdint>
 
@@ -8,18 +8,19 @@ namespace kfast::pico {
 
 /// The numbers of the chip's interrupts, as its vector table (start.cpp) has them.
 enum class Interrupt : std::uint32_t {
-    timer_0 = 0,
-    usb = 5,
-    io_bank0 = 13,
-    uart0 = 20,
-    uart1 = 21,
-    i2c0 = 23,
-    i2c1 = 24
+    timer_irq_0 = 0,
+    usbctrl_irq = 5,
+    io_irq_bank0 = 13,
+    uart0_irq = 20,
+    uart1_irq = 21,
+    i2c0_irq = 23,
+    i2c1_irq = 24
 };
 
-inline constexpr Register nvic_enable{0xE000'E100}; // a 0 leaves an interrupt as it is
-
-inline void enable(Interrupt interrupt) { nvic_enable.write(1u << static_cast<std::uint32_t>(interrupt)); }
+inline void enable(Interrupt interrupt)
+{
+    cortex_m::nvic_iser0.write(1u << static_cast<std::uint32_t>(interrupt));
+}
 
 /// While it lives no interrupt is served; those that come wait. Memory is then what the program last wrote.
 class InterruptsOff {

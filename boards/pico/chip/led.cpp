@@ -9,12 +9,12 @@ namespace kfast::pico::led {
 namespace {
 
 constexpr Pin pin = 25;
-constexpr Register turn_outputs{0xD000'001C};
+constexpr Register sio_gpio_out_xor{0xD000'001C};
 
 }
 
 void begin() { OutputPin{pin, Pad::output}.low(); }
 
-void toggle() { turn_outputs.write(1U << pin); }
+void toggle() { sio_gpio_out_xor.write(1U << pin); }
 
 }

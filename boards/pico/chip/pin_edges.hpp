@@ -9,12 +9,12 @@
 namespace kfast::pico::pin_edges {
 
 // In the registers: four bits for each pin, eight pins in each.
-constexpr std::uint32_t fallen(Pin pin) { return 4u << 4 * (pin % 8); }
-constexpr std::uint32_t risen(Pin pin) { return 8u << 4 * (pin % 8); }
+constexpr std::uint32_t edge_low(Pin pin) { return 4u << 4 * (pin % 8); }
+constexpr std::uint32_t edge_high(Pin pin) { return 8u << 4 * (pin % 8); }
 
-/// What is kept in mind. A 1 that is written is forgotten, a 0 changes nothing.
-constexpr Register seen(Pin pin) { return Register{0x4001'40F0 + 4u * (pin / 8u)}; }
-/// What interrupts the processor.
-constexpr Register interrupting(Pin pin) { return Register{0x4001'4100 + 4u * (pin / 8u)}; }
+/// What is kept in mind (INTR0 … INTR3 of IO_BANK0). A 1 that is written is forgotten, a 0 changes nothing.
+constexpr Register intr(Pin pin) { return Register{0x4001'40F0 + 4u * (pin / 8u)}; }
+/// What interrupts the processor (PROC0_INTE0 … PROC0_INTE3).
+constexpr Register proc0_inte(Pin pin) { return Register{0x4001'4100 + 4u * (pin / 8u)}; }
 
 }

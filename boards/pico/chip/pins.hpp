@@ -7,16 +7,8 @@
 
 namespace kfast::pico {
 
-/// What a pin is led to: the numbers of the chip's function table.
-enum class PinFunction : std::uint32_t {
-    spi = 1,
-    uart = 2,
-    i2c = 3,
-    pulse = 4,
-    processor = 5,
-    pio0 = 6,
-    none = 31
-};
+/// What a pin is led to: FUNCSEL, the numbers of the chip's function table.
+enum class PinFunction : std::uint32_t { spi = 1, uart = 2, i2c = 3, pwm = 4, sio = 5, pio0 = 6, null = 31 };
 
 /// The electrics of a pin.
 enum class Pad : std::uint32_t {
@@ -26,8 +18,10 @@ enum class Pad : std::uint32_t {
     converter_input ///< no digital input and no pull: a voltage between the levels would only waste current
 };
 
-/// What the pin is led to, and what is forced upon it.
-constexpr Register pin_control(Pin pin) { return Register{0x4001'4004 + 8u * pin}; }
+/// GPIOn_CTRL of IO_BANK0: what the pin is led to (FUNCSEL), and what is forced upon it (OUTOVER).
+constexpr Register gpio_ctrl(Pin pin) { return Register{0x4001'4004 + 8u * pin}; }
+inline constexpr std::uint32_t gpio_ctrl_outover_low = 2 << 8;
+inline constexpr std::uint32_t gpio_ctrl_outover_high = 3 << 8;
 
 /// Leads the pin to the function. Nothing for no_pin.
 void connect(Pin pin, PinFunction function, Pad pad);

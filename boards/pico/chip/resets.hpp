@@ -7,7 +7,7 @@
 /// The chip's units rest in reset until somebody needs them.
 namespace kfast::pico::resets {
 
-// Bits of the registers.
+// RESETS, and the bits of its registers
 inline constexpr std::uint32_t adc = 1 << 0;
 inline constexpr std::uint32_t dma = 1 << 2;
 inline constexpr std::uint32_t i2c0 = 1 << 3;
@@ -23,7 +23,7 @@ inline constexpr std::uint32_t spi1 = 1 << 17;
 inline constexpr std::uint32_t timer = 1 << 21;
 inline constexpr std::uint32_t uart0 = 1 << 22;
 inline constexpr std::uint32_t uart1 = 1 << 23;
-inline constexpr std::uint32_t usb = 1 << 24;
+inline constexpr std::uint32_t usbctrl = 1 << 24;
 
 inline constexpr Register reset{0x4000'C000};
 inline constexpr Register reset_done{0x4000'C008};

@@ -8,13 +8,13 @@
 namespace kfast::pico {
 namespace {
 
-// A slice of the pulse-width unit
+// A slice of the PWM
 struct Slice {
     std::uint32_t base;
 
-    constexpr Register control() const { return Register{base + 0x00}; }
-    constexpr Register divisor() const { return Register{base + 0x04}; }
-    constexpr Register levels() const { return Register{base + 0x0C}; }
+    constexpr Register csr() const { return Register{base + 0x00}; }
+    constexpr Register div() const { return Register{base + 0x04}; }
+    constexpr Register cc() const { return Register{base + 0x0C}; }
     constexpr Register top() const { return Register{base + 0x10}; }
 };
 
@@ -25,7 +25,8 @@ constexpr Slice slice_of(Pin pin)
 
 constexpr std::uint32_t steps = 255;  // a level of 255 lasts for all of them
 constexpr std::uint32_t divisor = 16; // 125 MHz / 16 / 255
-constexpr int whole_divisor_at = 4;
+constexpr std::uint32_t csr_en = 1 << 0;
+constexpr int div_int_lsb = 4;
 
 }
 
@@ -35,17 +36,17 @@ Dimmer::Dimmer(Pin pin) : pin_{pin}
         return;
     resets::restart(resets::pwm);
     const Slice slice = slice_of(pin);
-    slice.divisor().write(divisor << whole_divisor_at);
+    slice.div().write(divisor << div_int_lsb);
     slice.top().write(steps - 1);
-    slice.levels().write(0);
-    slice.control().write(1);
-    connect(pin, PinFunction::pulse, Pad::output);
+    slice.cc().write(0);
+    slice.csr().write(csr_en);
+    connect(pin, PinFunction::pwm, Pad::output);
 }
 
 void Dimmer::set(std::uint8_t brightness) const
 {
     if (pin_ != no_pin)
-        slice_of(pin_).levels().write(std::uint32_t{brightness} << 16 * rp2040::pulse_output(pin_).channel);
+        slice_of(pin_).cc().write(std::uint32_t{brightness} << 16 * rp2040::pulse_output(pin_).channel);
 }
 
 }

@@ -19,32 +19,33 @@ namespace {
 struct Unit {
     std::uint32_t base;
 
-    constexpr Register control() const { return Register{base + 0x00}; }
-    constexpr Register target() const { return Register{base + 0x04}; }
-    constexpr Register data() const { return Register{base + 0x10}; }
-    constexpr Register high_count() const { return Register{base + 0x1C}; }
-    constexpr Register low_count() const { return Register{base + 0x20}; }
-    constexpr Register interrupt_mask() const { return Register{base + 0x30}; }
-    constexpr Register raw_interrupts() const { return Register{base + 0x34}; }
-    constexpr Register transmit_threshold() const { return Register{base + 0x3C}; }
-    constexpr Register clear_abort() const { return Register{base + 0x54}; } // by reading
-    constexpr Register enable() const { return Register{base + 0x6C}; }
-    constexpr Register status() const { return Register{base + 0x70}; }
-    constexpr Register data_hold() const { return Register{base + 0x7C}; }
-    constexpr Register spike_length() const { return Register{base + 0xA0}; }
+    constexpr Register ic_con() const { return Register{base + 0x00}; }
+    constexpr Register ic_tar() const { return Register{base + 0x04}; }
+    constexpr Register ic_data_cmd() const { return Register{base + 0x10}; }
+    constexpr Register ic_fs_scl_hcnt() const { return Register{base + 0x1C}; }
+    constexpr Register ic_fs_scl_lcnt() const { return Register{base + 0x20}; }
+    constexpr Register ic_intr_mask() const { return Register{base + 0x30}; }
+    constexpr Register ic_raw_intr_stat() const { return Register{base + 0x34}; }
+    constexpr Register ic_tx_tl() const { return Register{base + 0x3C}; }
+    constexpr Register ic_clr_tx_abrt() const { return Register{base + 0x54}; } // by reading
+    constexpr Register ic_enable() const { return Register{base + 0x6C}; }
+    constexpr Register ic_status() const { return Register{base + 0x70}; }
+    constexpr Register ic_sda_hold() const { return Register{base + 0x7C}; }
+    constexpr Register ic_fs_spklen() const { return Register{base + 0xA0}; }
 };
 
 constexpr Unit unit_of(int number) { return {number == 0 ? 0x4004'4000u : 0x4004'8000u}; }
 
-constexpr std::uint32_t master_in_fast_mode = 1 << 0 | 2 << 1;
-constexpr std::uint32_t can_restart = 1 << 5;
-constexpr std::uint32_t no_slave = 1 << 6;
-constexpr std::uint32_t then_stop = 1 << 9;    // in `data`
-constexpr std::uint32_t transmit_low = 1 << 4; // interrupts
-constexpr std::uint32_t aborted = 1 << 6;
-constexpr std::uint32_t room_to_send = 1 << 1; // in `status`
-constexpr std::uint32_t transmit_empty = 1 << 2;
-constexpr std::uint32_t sending = 1 << 5;
+constexpr std::uint32_t ic_con_master_mode = 1 << 0;
+constexpr std::uint32_t ic_con_speed_fast = 2 << 1;
+constexpr std::uint32_t ic_con_ic_restart_en = 1 << 5;
+constexpr std::uint32_t ic_con_ic_slave_disable = 1 << 6;
+constexpr std::uint32_t ic_data_cmd_stop = 1 << 9; // after the byte
+constexpr std::uint32_t intr_tx_empty = 1 << 4;    // in IC_INTR_MASK and IC_RAW_INTR_STAT
+constexpr std::uint32_t intr_tx_abrt = 1 << 6;
+constexpr std::uint32_t ic_status_tfnf = 1 << 1; // there is room in the FIFO
+constexpr std::uint32_t ic_status_tfe = 1 << 2;  // the FIFO is empty
+constexpr std::uint32_t ic_status_mst_activity = 1 << 5;
 
 constexpr std::uint32_t refill_at = 4; // bytes left, 90 us at 400 kHz
 
@@ -106,25 +107,26 @@ void free_wires(Pin clock_pin, Pin data_pin)
 void configure(const Unit& i2c, const BoardSettings& settings)
 {
     const I2cRate rate = i2c_rate(settings.bus_clock);
-    i2c.enable().write(0);
-    i2c.control().write(master_in_fast_mode | can_restart | no_slave);
-    i2c.target().write(settings.i2c_address);
-    i2c.spike_length().write(spike_cycles);
-    i2c.data_hold().write(hold_cycles);
-    i2c.high_count().write(rate.high - spike_cycles - 7); // the unit adds them by itself
-    i2c.low_count().write(rate.low - 1);
-    i2c.transmit_threshold().write(refill_at);
-    i2c.interrupt_mask().write(0);
-    i2c.enable().write(1);
+    i2c.ic_enable().write(0);
+    i2c.ic_con().write(ic_con_master_mode | ic_con_speed_fast | ic_con_ic_restart_en |
+                       ic_con_ic_slave_disable);
+    i2c.ic_tar().write(settings.i2c_address);
+    i2c.ic_fs_spklen().write(spike_cycles);
+    i2c.ic_sda_hold().write(hold_cycles);
+    i2c.ic_fs_scl_hcnt().write(rate.high - spike_cycles - 7); // the unit adds them by itself
+    i2c.ic_fs_scl_lcnt().write(rate.low - 1);
+    i2c.ic_tx_tl().write(refill_at);
+    i2c.ic_intr_mask().write(0);
+    i2c.ic_enable().write(1);
 }
 
 void fill(const Unit& i2c)
 {
     const std::byte* next = next_byte;
     const std::byte* const last = last_byte;
-    while (next != last && (i2c.status().read() & room_to_send) != 0) {
+    while (next != last && (i2c.ic_status().read() & ic_status_tfnf) != 0) {
         const auto byte = std::to_integer<std::uint32_t>(*next++);
-        i2c.data().write(byte | (next == last ? then_stop : 0));
+        i2c.ic_data_cmd().write(byte | (next == last ? ic_data_cmd_stop : 0));
     }
     next_byte = next;
 }
@@ -134,18 +136,18 @@ void give_up(const Unit& i2c)
 {
     next_byte = last_byte;
     was_aborted = true;
-    static_cast<void>(i2c.clear_abort().read());
+    static_cast<void>(i2c.ic_clr_tx_abrt().read());
 }
 
 void await_interrupt(const Unit& i2c)
 {
-    i2c.interrupt_mask().write(next_byte == last_byte ? aborted : aborted | transmit_low);
+    i2c.ic_intr_mask().write(next_byte == last_byte ? intr_tx_abrt : intr_tx_abrt | intr_tx_empty);
 }
 
 void serve()
 {
     const Unit i2c = unit_of(bus_unit);
-    if ((i2c.raw_interrupts().read() & aborted) != 0)
+    if ((i2c.ic_raw_intr_stat().read() & intr_tx_abrt) != 0)
         give_up(i2c);
     else
         fill(i2c);
@@ -156,7 +158,7 @@ void serve()
 void report_latest(const Unit& i2c)
 {
     if (was_aborted && !is_display_missing)
-        report::no_display(static_cast<std::uint8_t>(i2c.target().read()));
+        report::no_display(static_cast<std::uint8_t>(i2c.ic_tar().read()));
     is_display_missing = was_aborted;
     was_aborted = false;
 }
@@ -168,10 +170,10 @@ void start(std::uint32_t control_byte, std::span<const std::byte> bytes)
     const Unit i2c = unit_of(bus_unit);
     report_latest(i2c);
     std::atomic_signal_fence(std::memory_order_release); // the bytes are in memory before the interrupt looks
-    i2c.interrupt_mask().write(0);
+    i2c.ic_intr_mask().write(0);
     next_byte = bytes.data();
     last_byte = bytes.data() + bytes.size();
-    i2c.data().write(control_byte);
+    i2c.ic_data_cmd().write(control_byte);
     fill(i2c);
     await_interrupt(i2c);
 }
@@ -188,7 +190,7 @@ I2cBus::I2cBus(const BoardSettings& settings)
     connect(clock, PinFunction::i2c, Pad::pulled_up);
     connect(data, PinFunction::i2c, Pad::pulled_up);
     configure(unit_of(bus_unit), settings);
-    enable(bus_unit == 0 ? Interrupt::i2c0 : Interrupt::i2c1);
+    enable(bus_unit == 0 ? Interrupt::i2c0_irq : Interrupt::i2c1_irq);
 }
 
 void I2cBus::command(std::span<const std::byte> bytes)
@@ -209,8 +211,8 @@ void I2cBus::start_data(std::span<const std::byte> bytes) { start(data_follows, 
 
 bool I2cBus::busy() const
 {
-    const std::uint32_t status = unit_of(bus_unit).status().read();
-    return next_byte != last_byte || (status & transmit_empty) == 0 || (status & sending) != 0;
+    const std::uint32_t status = unit_of(bus_unit).ic_status().read();
+    return next_byte != last_byte || (status & ic_status_tfe) == 0 || (status & ic_status_mst_activity) != 0;
 }
 
 extern "C" void i2c0_handler() { serve(); }

@@ -9,40 +9,40 @@ namespace kfast::pico {
 namespace {
 
 constexpr pio::Machine machine{0};
-constexpr std::uint32_t eight_out_pins = 8u << pio::out_pins_at;
+constexpr std::uint32_t pinctrl_out_count_8 = 8u << pio::pinctrl_out_count_lsb;
 
 constexpr int data_pin_count = 8;
 
 void drive_pins(Pin data, Pin write)
 {
-    machine.pin_ranges().write(pio::one_set_pin | eight_out_pins |
-                               static_cast<std::uint32_t>(write) << pio::set_base_at | data);
-    machine.execute_now().write(pio::set_pins(1));
-    machine.execute_now().write(pio::set_directions_1);
-    machine.execute_now().write(pio::mov_osr_ones);
-    machine.execute_now().write(pio::out_directions_8);
-    machine.pin_ranges().write(pio::one_side_set_pin | eight_out_pins |
-                               static_cast<std::uint32_t>(write) << pio::side_set_base_at | data);
+    machine.pinctrl().write(pio::pinctrl_set_count_1 | pinctrl_out_count_8 |
+                            static_cast<std::uint32_t>(write) << pio::pinctrl_set_base_lsb | data);
+    machine.instr().write(pio::set_pins(1));
+    machine.instr().write(pio::set_pindirs_1);
+    machine.instr().write(pio::mov_osr_not_null);
+    machine.instr().write(pio::out_pindirs_8);
+    machine.pinctrl().write(pio::pinctrl_sideset_count_1 | pinctrl_out_count_8 |
+                            static_cast<std::uint32_t>(write) << pio::pinctrl_sideset_base_lsb | data);
 }
 
 void load_program(const WriteCycle& cycle)
 {
     const auto program = pio::write_program(cycle);
     for (std::uint32_t at = 0; at < program.size(); ++at)
-        pio::program_memory(at).write(program[at]);
-    machine.clock_divisor().write(cycle.divisor << pio::divisor_at);
-    machine.execution().write((program.size() - 1) << pio::wrap_from_at);
+        pio::instr_mem(at).write(program[at]);
+    machine.clkdiv().write(cycle.divisor << pio::clkdiv_int_lsb);
+    machine.execctrl().write((program.size() - 1) << pio::execctrl_wrap_top_lsb);
 }
 
 // A byte counts as one piece, a word of two bytes as another: the machine forgets what it has taken of the
 // last one, or it would send the rest of it.
 void run_with_pieces_of(std::uint32_t bits)
 {
-    pio::control.write(0);
-    machine.shifting().write(pio::refill_by_itself | bits << pio::refill_after_at);
-    pio::control.write(pio::machine_restart);
-    machine.execute_now().write(pio::jump(0) | pio::side_high);
-    pio::control.write(pio::machine_enable);
+    pio::ctrl.write(0);
+    machine.shiftctrl().write(pio::shiftctrl_autopull | bits << pio::shiftctrl_pull_thresh_lsb);
+    pio::ctrl.write(pio::ctrl_sm_restart);
+    machine.instr().write(pio::jmp(0) | pio::side_1);
+    pio::ctrl.write(pio::ctrl_sm_enable);
 }
 
 }
@@ -54,7 +54,7 @@ ParallelBus::ParallelBus(const BoardSettings& settings)
     const Pin data = settings.pin(PinRole::data);
     const Pin write = settings.pin(PinRole::clock);
     resets::restart(resets::pio0);
-    pio::control.write(0);
+    pio::ctrl.write(0);
     dma::begin();
     load_program(write_cycle(settings.bus_clock));
     drive_pins(data, write);
@@ -81,27 +81,27 @@ void ParallelBus::start_data(std::span<const std::byte> bytes)
 {
     dc_.high();
     select(8);
-    dma::start(bytes, dma::Piece::byte, machine.transmit(), dma::Request::pio0_tx0);
+    dma::start(bytes, dma::DataSize::byte, machine.txf(), dma::Dreq::pio0_tx0);
 }
 
 void ParallelBus::start_words(std::span<const std::byte> words)
 {
     dc_.high();
     select(16);
-    dma::start(words, dma::Piece::word_16, machine.transmit(), dma::Request::pio0_tx0);
+    dma::start(words, dma::DataSize::halfword, machine.txf(), dma::Dreq::pio0_tx0);
 }
 
 // The machine stalls where WR has risen and no data is left. It may have stalled earlier too, waiting for
 // memory, so the stall that counts is one after it has taken the last piece.
 bool ParallelBus::busy()
 {
-    if (dma::busy() || (pio::fifo_status.read() & pio::transmit_empty) == 0)
+    if (dma::busy() || (pio::fstat.read() & pio::fstat_txempty) == 0)
         return true;
     if (!waits_for_last_write_) {
         waits_for_last_write_ = true;
-        pio::events.write(pio::stalled);
+        pio::fdebug.write(pio::fdebug_txstall);
     }
-    return (pio::events.read() & pio::stalled) == 0;
+    return (pio::fdebug.read() & pio::fdebug_txstall) == 0;
 }
 
 void ParallelBus::select(std::uint32_t piece_bits)
@@ -118,9 +118,9 @@ void ParallelBus::send(std::span<const std::byte> bytes)
 {
     select(8);
     for (const std::byte byte : bytes) {
-        while ((pio::fifo_status.read() & pio::transmit_full) != 0) {
+        while ((pio::fstat.read() & pio::fstat_txfull) != 0) {
         }
-        machine.transmit().write(std::to_integer<std::uint32_t>(byte) << 24);
+        machine.txf().write(std::to_integer<std::uint32_t>(byte) << 24);
     }
     while (busy()) {
     }

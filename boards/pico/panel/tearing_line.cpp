@@ -18,16 +18,16 @@ TearingLine::TearingLine(Pin pin)
         return;
     line = pin;
     connect_input(pin);
-    pin_edges::seen(pin).write(pin_edges::risen(pin));
-    pin_edges::interrupting(pin).write(pin_edges::risen(pin));
-    enable(Interrupt::io_bank0);
+    pin_edges::intr(pin).write(pin_edges::edge_high(pin));
+    pin_edges::proc0_inte(pin).write(pin_edges::edge_high(pin));
+    enable(Interrupt::io_irq_bank0);
 }
 
 std::uint32_t TearingLine::pictures() const { return pictures_shown; }
 
 extern "C" void io_bank0_handler()
 {
-    pin_edges::seen(line).write(pin_edges::risen(line));
+    pin_edges::intr(line).write(pin_edges::edge_high(line));
     pictures_shown = pictures_shown + 1;
 }
 

@@ -14,9 +14,9 @@ namespace kfast::pico::pio {
 constexpr std::array<std::uint32_t, 3> write_program(const WriteCycle& cycle)
 {
     return {
-        out_pins_8 | side_high | lasting(cycle.setup),
-        no_operation | side_low | lasting(cycle.low),
-        no_operation | side_high | lasting(cycle.hold),
+        out_pins_8 | side_1 | lasting(cycle.setup),
+        nop | side_0 | lasting(cycle.low),
+        nop | side_1 | lasting(cycle.hold),
     };
 }
 

@@ -9,16 +9,19 @@ const SS_CTRL = 0x0c; // of IO_QSPI
 const names = new Map([[0x00, 'CTRLR0'], [0x04, 'CTRLR1'], [SSIENR, 'SSIENR'], [0x10, 'SER'], [0x14, 'BAUDR'],
     [0xf0, 'RX_SAMPLE_DLY'], [0xf4, 'SPI_CTRLR0']]);
 const statusIdle = 0x6; // the FIFO to the flash is empty and not full
-const hasByte = 1 << 3;
+const SR_RFNE = 1 << 3;
 const fifoBytes = 16;
 
-const words8Bits = 7 << 16;
-const words32Bits = 31 << 16;
-const sendThenReceive = 3 << 8;
-const commandOf8Bits = 2 << 8;
-const addressOf24Bits = 6 << 2;
+const CTRLR0_DFS_32_8_BITS = 7 << 16;
+const CTRLR0_DFS_32_32_BITS = 31 << 16;
+const CTRLR0_TMOD_EEPROM_READ = 3 << 8;
+/** Words of memory: sent is what to read, and then received. */
+const wholeReads = CTRLR0_DFS_32_32_BITS | CTRLR0_TMOD_EEPROM_READ;
+const SPI_CTRLR0_INST_L_8_BITS = 2 << 8;
+const SPI_CTRLR0_ADDR_L_24_BITS = 6 << 2;
 /** What SPI_CTRLR0 must say so that the flash understands what is sent: read (03h), and fast read (0Bh). */
-const readsAs = (command, waitCycles) => (command << 24) | (waitCycles << 11) | commandOf8Bits | addressOf24Bits;
+const readsAs = (command, waitCycles) => (command << 24) | (waitCycles << 11) | SPI_CTRLR0_INST_L_8_BITS
+    | SPI_CTRLR0_ADDR_L_24_BITS;
 const reads = [readsAs(0x03, 0), readsAs(0x0b, 8)];
 
 /** The pins to the flash (IO_QSPI), of which firmware may only force the one that selects it. */
@@ -83,27 +86,26 @@ export class FlashInterface extends BasePeripheral {
 
     /** Fetching code as the boot ROM sets it up: slowly. */
     readSlowly() {
-        Object.assign(this.#values, { CTRLR0: words32Bits | sendThenReceive, CTRLR1: 0, BAUDR: 6, SPI_CTRLR0: reads[0],
-            SSIENR: 1 });
+        Object.assign(this.#values, { CTRLR0: wholeReads, CTRLR1: 0, BAUDR: 6, SPI_CTRLR0: reads[0], SSIENR: 1 });
         this.onChange();
     }
 
     /** The flash listens to commands, and nothing can be fetched. The ROM leaves the chip's select forced high. */
     stopReading() {
-        Object.assign(this.#values, { CTRLR0: words8Bits, CTRLR1: 0, BAUDR: 6, SSIENR: 1 });
+        Object.assign(this.#values, { CTRLR0: CTRLR0_DFS_32_8_BITS, CTRLR1: 0, BAUDR: 6, SSIENR: 1 });
         this.#received = [];
         this.pins.force(3);
     }
 
     isReadable() {
         const { CTRLR0, CTRLR1, SSIENR: enabled, SER, BAUDR, SPI_CTRLR0 } = this.#values;
-        return this.pins.forced === 0 && enabled === 1 && CTRLR0 === (words32Bits | sendThenReceive) && CTRLR1 === 0 && SER === 1
+        return this.pins.forced === 0 && enabled === 1 && CTRLR0 === wholeReads && CTRLR1 === 0 && SER === 1
             && BAUDR >= 2 && BAUDR % 2 === 0 && reads.includes(SPI_CTRLR0);
     }
 
     readUint32(offset) {
         if (offset === SR)
-            return statusIdle | (this.#received.length > 0 ? hasByte : 0);
+            return statusIdle | (this.#received.length > 0 ? SR_RFNE : 0);
         if (offset === DR0)
             return this.#received.shift() ?? fail('SSI: a byte is read that is not there');
         return this.#values[names.get(offset)] ?? super.readUint32(offset);
@@ -124,7 +126,7 @@ export class FlashInterface extends BasePeripheral {
 
     #send(byte) {
         const { CTRLR0, SSIENR: enabled } = this.#values;
-        if (!enabled || CTRLR0 !== words8Bits || !this.pins.isSelected)
+        if (!enabled || CTRLR0 !== CTRLR0_DFS_32_8_BITS || !this.pins.isSelected)
             fail('SSI: a byte is sent, but the unit is not set up for that, or the chip not selected');
         if (this.#received.length === fifoBytes)
             fail('SSI: more is sent than is read');

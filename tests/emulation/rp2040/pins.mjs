@@ -1,5 +1,5 @@
 /** Functions of GPIO pins, by their numbers in CTRL.FUNCSEL. */
-export const PinFunction = { spi: 1, uart: 2, i2c: 3, sio: 5, pio0: 6, pio1: 7, none: 31 };
+export const PinFunction = { spi: 1, uart: 2, i2c: 3, sio: 5, pio0: 6, pio1: 7, null: 31 };
 
 export const noPin = 255;
 

@@ -48,7 +48,7 @@ function rounded(times) {
 
 /** What is led to any unit of the chip: no other pin can be driven. */
 function connectedPins({ gpio }) {
-    return gpio.filter((pin) => pin.functionSelect !== PinFunction.none).map((pin) => pin.index);
+    return gpio.filter((pin) => pin.functionSelect !== PinFunction.null).map((pin) => pin.index);
 }
 
 /** Registers that the emulator does not heed, or that tell how fast the bus can be. */

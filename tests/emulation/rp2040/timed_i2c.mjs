@@ -6,9 +6,9 @@ const IC_SDA_HOLD = 0x7c;
 const IC_DMA_CR = 0x88;
 const IC_DMA_TDLR = 0x8c;
 const IC_DMA_RDLR = 0x90;
-const transmitLow = 1 << 4; // interrupt
-const transmitByDma = 1 << 1;
-const transmitRequest0 = 32; // DREQ_I2C0_TX; that of I2C1 is two further on
+const TX_EMPTY = 1 << 4; // interrupt
+const IC_DMA_CR_TDMAE = 1 << 1;
+const DREQ_I2C0_TX = 32; // that of I2C1 is two further on
 const bitsOfByte = 9; // with the acknowledgement
 
 /**
@@ -39,7 +39,7 @@ export function timeI2c(mcu, index, wire) {
         wire.stop();
         i2c.completeStop();
     });
-    addRegisters(mcu, i2c, transmitRequest0 + 2 * index);
+    addRegisters(mcu, i2c, DREQ_I2C0_TX + 2 * index);
 }
 
 function bitNanos(i2c, clockNanos) {
@@ -52,11 +52,11 @@ function addRegisters(mcu, i2c, request) {
     const registers = new Map([[IC_SDA_HOLD, 1], [IC_DMA_CR, 0], [IC_DMA_TDLR, 0], [IC_DMA_RDLR, 0]]);
     const isLow = (level) => i2c.txFIFO.itemCount <= level;
     const settle = () => {
-        if (registers.get(IC_DMA_CR) & transmitByDma && isLow(registers.get(IC_DMA_TDLR)))
+        if (registers.get(IC_DMA_CR) & IC_DMA_CR_TDMAE && isLow(registers.get(IC_DMA_TDLR)))
             mcu.dma.setDREQ(request);
         else
             mcu.dma.clearDREQ(request);
-        i2c.intRaw = i2c.enable & 1 && isLow(i2c.txThreshold) ? i2c.intRaw | transmitLow : i2c.intRaw & ~transmitLow;
+        i2c.intRaw = i2c.enable & 1 && isLow(i2c.txThreshold) ? i2c.intRaw | TX_EMPTY : i2c.intRaw & ~TX_EMPTY;
         i2c.checkInterrupts();
     };
     const { readUint32, writeUint32, nextCommand } = i2c;

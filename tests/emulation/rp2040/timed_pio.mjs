@@ -90,11 +90,11 @@ class TimedMachine {
     #take(value) {
         const { machine } = this;
         if (machine.txFIFO.full) {
-            this.pio.fdebug |= txOverflow << machine.index;
+            this.pio.fdebug |= FDEBUG_TXOVER << machine.index;
             return;
         }
         machine.txFIFO.push(value);
-        this.pio.txStall &= ~(txStall << machine.index);
+        this.pio.txStall &= ~(FDEBUG_TXSTALL << machine.index);
         machine.updateDMATx();
         this.pio.checkInterrupts();
         if (this.#starved && !waitsForFlag(machine))
@@ -115,8 +115,8 @@ class TimedMachine {
     }
 }
 
-const txOverflow = 1 << 16;
-const txStall = 1 << 24;
+const FDEBUG_TXOVER = 1 << 16;
+const FDEBUG_TXSTALL = 1 << 24;
 
 /** Whether a machine that waits does so for a flag to be set. */
 function waitsForFlag(machine) {

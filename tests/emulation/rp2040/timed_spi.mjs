@@ -2,10 +2,10 @@ import { fail } from './emulation_error.mjs';
 
 const SSPCR1 = 0x04;
 const SSPDMACR = 0x24;
-const masterBit = 1 << 2; // set: slave
-const transmitByDma = 1 << 1;
-const phaseBit = 1 << 7;
-const formatBits = 3 << 4;
+const SSPCR1_MS = 1 << 2; // set: slave
+const SSPDMACR_TXDMAE = 1 << 1;
+const SSPCR0_SPH = 1 << 7;
+const SSPCR0_FRF = 3 << 4;
 
 /**
  * Bit times between frames with SPH = 0, where the unit releases its own select line: users of the chip measured
@@ -30,12 +30,12 @@ export function timeSpi(mcu, spi, wire) {
         checkSettings(spi);
         bitNanos = 1e9 / spi.clockFrequency;
         wire.begin(word, spi.dataBits);
-        frame.schedule(bitNanos * (spi.dataBits + (spi.control0 & phaseBit ? 0 : gapBits)));
+        frame.schedule(bitNanos * (spi.dataBits + (spi.control0 & SSPCR0_SPH ? 0 : gapBits)));
     };
     const doTX = spi.doTX.bind(spi);
     spi.doTX = () => spi.enabled && doTX();
     const updateDMATx = spi.updateDMATx.bind(spi);
-    spi.updateDMATx = () => (spi.dmaControl & transmitByDma && spi.enabled ? updateDMATx()
+    spi.updateDMATx = () => (spi.dmaControl & SSPDMACR_TXDMAE && spi.enabled ? updateDMATx()
         : mcu.dma.clearDREQ(spi.dreq.tx));
     spi.updateDMATx();
     const write = spi.writeUint32.bind(spi);
@@ -49,9 +49,9 @@ export function timeSpi(mcu, spi, wire) {
 }
 
 function checkSettings(spi) {
-    if (spi.control1 & masterBit)
+    if (spi.control1 & SSPCR1_MS)
         fail(`${spi.name} sends as a slave`);
-    if (spi.control0 & formatBits)
+    if (spi.control0 & SSPCR0_FRF)
         fail(`${spi.name} sends in a format that no display understands`);
     if (!spi.clockFrequency || !spi.rp2040.clocks.periFreq)
         fail(`${spi.name} sends without a clock`);

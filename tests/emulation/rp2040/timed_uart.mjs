@@ -3,10 +3,10 @@ import { fail } from './emulation_error.mjs';
 const UARTFR = 0x18;
 const UARTICR = 0x44;
 const UARTDMACR = 0x48;
-const busy = 1 << 3;
-const full = 1 << 5;
-const empty = 1 << 7;
-const transmitInterrupt = 1 << 5;
+const UARTFR_BUSY = 1 << 3;
+const UARTFR_TXFF = 1 << 5;
+const UARTFR_TXFE = 1 << 7;
+const TXIM = 1 << 5;
 const fifoBytes = 32;
 const interruptLevel = fifoBytes / 2; // UARTIFLS after reset
 const bitsPerByte = 10;
@@ -30,7 +30,8 @@ class TimedUart {
         uart.checkInterrupts = () => mcu.setInterrupt(uart.irq, !!(uart.interruptStatus & uart.interruptMask));
         const read = uart.readUint32.bind(uart);
         const write = uart.writeUint32.bind(uart);
-        uart.readUint32 = (offset) => (offset === UARTFR ? (read(offset) & ~empty) | this.#flags() : read(offset));
+        uart.readUint32 = (offset) => (offset === UARTFR ? (read(offset) & ~UARTFR_TXFE) | this.#flags()
+            : read(offset));
         uart.writeUint32 = (offset, value) => {
             if (offset === UARTDMACR || offset === UARTICR)
                 fail(`${uart.name}: DMA and clearing interrupts are not modelled`);
@@ -64,13 +65,13 @@ class TimedUart {
 
     #interrupt(raised) {
         const { uart } = this;
-        uart.interruptStatus = raised ? uart.interruptStatus | transmitInterrupt
-            : uart.interruptStatus & ~transmitInterrupt;
+        uart.interruptStatus = raised ? uart.interruptStatus | TXIM
+            : uart.interruptStatus & ~TXIM;
         uart.checkInterrupts();
     }
 
     #flags() {
-        return (this.#waiting > 0 ? busy : 0) | (this.#waiting > fifoBytes ? full : 0)
-            | (this.#waiting <= 1 ? empty : 0);
+        return (this.#waiting > 0 ? UARTFR_BUSY : 0) | (this.#waiting > fifoBytes ? UARTFR_TXFF : 0)
+            | (this.#waiting <= 1 ? UARTFR_TXFE : 0);
     }
 }

@@ -13,22 +13,22 @@ const USB_PWR = 0x78;
 const INTE = 0x90;
 const INTS = 0x98;
 
-const irq = 5;
-const clockEnable = 1 << 11; // CLK_USB_CTRL
+const USBCTRL_IRQ = 5;
+const CLK_USB_CTRL_ENABLE = 1 << 11;
 const needed = new Map([[USB_MUXING, 1 | (1 << 3)], [USB_PWR, (1 << 2) | (1 << 3)]]); // to the PHY; VBUS is there
-const enabled = 1;
-const pullUp = 1 << 16;
-const tellControlPackets = 1 << 29;
+const CONTROLLER_EN = 1;
+const PULLUP_EN = 1 << 16;
+const EP0_INT_1BUF = 1 << 29;
 
-const suspended = 1 << 4;
-const resumed = 1 << 11;
-const setupReceived = 1 << 17;
-const busReset = 1 << 19;
-const clearedByWriting = suspended | resumed | setupReceived | busReset;
+const SUSPENDED = 1 << 4;
+const RESUME = 1 << 11;
+const SETUP_REC = 1 << 17;
+const BUS_RESET = 1 << 19;
+const clearedByWriting = SUSPENDED | RESUME | SETUP_REC | BUS_RESET;
 
 /** Which interrupt a bit of SIE_STATUS brings. */
-const interrupts = [[busReset, 12], [suspended, 14], [resumed, 15], [setupReceived, 16]];
-const packetInterrupt = 1 << 4;
+const interrupts = [[BUS_RESET, 12], [SUSPENDED, 14], [RESUME, 15], [SETUP_REC, 16]];
+const INT_BUFF_STATUS = 1 << 4;
 
 // The memory of the unit: what is said about endpoints, about packets, and the packets
 const packetControls = 0x80;
@@ -36,16 +36,16 @@ const packets = 0x100;
 const memoryBytes = 0x1000;
 const longestPacket = 64;
 
-const doubleBuffered = 1 << 30;
-const tellPackets = 1 << 29;
+const DOUBLE_BUFFERED = 1 << 30;
+const INTERRUPT_PER_BUFF = 1 << 29;
 const interruptType = 3;
 
-const available = 1 << 10;
-const stall = 1 << 11;
-const data1 = 1 << 13;
-const full = 1 << 15;
-const lengthMask = 0x3ff;
-const known = available | stall | data1 | full | lengthMask;
+const AVAILABLE_0 = 1 << 10;
+const STALL = 1 << 11;
+const PID_0 = 1 << 13;
+const FULL_0 = 1 << 15;
+const LENGTH_0 = 0x3ff;
+const known = AVAILABLE_0 | STALL | PID_0 | FULL_0 | LENGTH_0;
 
 /** What must lie between what is said about a packet and that it is available: 12 cycles at 125 MHz. */
 const nanosToSee = 96;
@@ -74,7 +74,7 @@ export class UsbController extends BasePeripheral {
 
     /** Whether the host sees that something is plugged in. */
     get attached() {
-        return this.#isClocked() && this.#has(MAIN_CTRL, enabled) && this.#has(SIE_CTRL, pullUp)
+        return this.#isClocked() && this.#has(MAIN_CTRL, CONTROLLER_EN) && this.#has(SIE_CTRL, PULLUP_EN)
             && [...needed].every(([register, bits]) => this.#has(register, bits));
     }
 
@@ -113,15 +113,15 @@ export class UsbController extends BasePeripheral {
     /** Holds both lines low. */
     reset() {
         this.#onLine = undefined;
-        this.#raise(busReset);
+        this.#raise(BUS_RESET);
     }
 
     suspend() {
-        this.#raise(suspended);
+        this.#raise(SUSPENDED);
     }
 
     resume() {
-        this.#raise(resumed);
+        this.#raise(RESUME);
     }
 
     /** @returns whether a device with that address is there to answer */
@@ -133,7 +133,7 @@ export class UsbController extends BasePeripheral {
     setup(packet) {
         this.rp2040.usbDPRAM.set(packet, 0);
         this.#values.set(EP_STALL_ARM, 0);
-        this.#raise(setupReceived);
+        this.#raise(SETUP_REC);
     }
 
     /**
@@ -144,11 +144,11 @@ export class UsbController extends BasePeripheral {
         if (!this.#isEnabled(endpoint))
             return 'timeout';
         const word = this.#word(endpoint);
-        if (word & stall && (endpoint.number !== 0 || this.#has(EP_STALL_ARM, endpoint.isIn ? 1 : 2)))
+        if (word & STALL && (endpoint.number !== 0 || this.#has(EP_STALL_ARM, endpoint.isIn ? 1 : 2)))
             return 'stall';
-        if (!(word & available))
+        if (!(word & AVAILABLE_0))
             return 'nak';
-        if (!!(word & full) !== endpoint.isIn)
+        if (!!(word & FULL_0) !== endpoint.isIn)
             fail(`USB: the packet of ${name(endpoint)} is given away ${endpoint.isIn ? 'empty' : 'full'}`);
         this.#onLine = endpoint;
         return 'ready';
@@ -156,32 +156,32 @@ export class UsbController extends BasePeripheral {
 
     /** Of the packet that an endpoint has to give. */
     lengthOf(endpoint) {
-        return this.#word(endpoint) & lengthMask;
+        return this.#word(endpoint) & LENGTH_0;
     }
 
     /** @returns {{pid: number, bytes: Uint8Array}} of an endpoint that is ready, whose packet has arrived */
     finishIn(endpoint) {
         const word = this.#word(endpoint);
         const at = this.#place(endpoint);
-        const bytes = this.rp2040.usbDPRAM.slice(at, at + (word & lengthMask));
-        this.#finish(endpoint, word & ~(available | full));
-        return { pid: word & data1 ? 1 : 0, bytes };
+        const bytes = this.rp2040.usbDPRAM.slice(at, at + (word & LENGTH_0));
+        this.#finish(endpoint, word & ~(AVAILABLE_0 | FULL_0));
+        return { pid: word & PID_0 ? 1 : 0, bytes };
     }
 
     /** `bytes` have arrived as DATA`pid` at an endpoint that is ready. */
     finishOut(endpoint, pid, bytes) {
         const word = this.#word(endpoint);
-        if (pid !== (word & data1 ? 1 : 0))
+        if (pid !== (word & PID_0 ? 1 : 0))
             fail(`USB: DATA${pid} comes to ${name(endpoint)}, which waits for the other one`);
-        if (bytes.length > (word & lengthMask))
-            fail(`USB: ${bytes.length} bytes come to ${name(endpoint)}, which has room for ${word & lengthMask}`);
+        if (bytes.length > (word & LENGTH_0))
+            fail(`USB: ${bytes.length} bytes come to ${name(endpoint)}, which has room for ${word & LENGTH_0}`);
         this.rp2040.usbDPRAM.set(bytes, this.#place(endpoint));
-        this.#finish(endpoint, (word & ~(available | lengthMask)) | full | bytes.length);
+        this.#finish(endpoint, (word & ~(AVAILABLE_0 | LENGTH_0)) | FULL_0 | bytes.length);
     }
 
     #isClocked() {
         const { clocks, pllUsb } = this.rp2040;
-        return !!(clocks.usbCtrl & clockEnable) && pllUsb.frequency === 48e6;
+        return !!(clocks.usbCtrl & CLK_USB_CTRL_ENABLE) && pllUsb.frequency === 48e6;
     }
 
     #has(register, bits) {
@@ -199,11 +199,11 @@ export class UsbController extends BasePeripheral {
 
     #raised() {
         const line = interrupts.filter(([status]) => this.#has(SIE_STATUS, status));
-        return line.reduce((bits, [, bit]) => bits | (1 << bit), this.#values.get(BUFF_STATUS) ? packetInterrupt : 0);
+        return line.reduce((bits, [, bit]) => bits | (1 << bit), this.#values.get(BUFF_STATUS) ? INT_BUFF_STATUS : 0);
     }
 
     #interrupt() {
-        this.rp2040.setInterrupt(irq, (this.#raised() & this.#values.get(INTE)) !== 0);
+        this.rp2040.setInterrupt(USBCTRL_IRQ, (this.#raised() & this.#values.get(INTE)) !== 0);
     }
 
     #say(index, word) {
@@ -214,11 +214,11 @@ export class UsbController extends BasePeripheral {
             fail(`USB: the packet of ${who} is changed while it is on the line`);
         if (word & ~known)
             fail(`USB: ${hex(word)} for the packet of ${who} is not modelled`);
-        if ((word & lengthMask) > longestPacket)
-            fail(`USB: a packet of ${word & lengthMask} bytes for ${who}`);
-        if (word & available && (word & ~available) !== before)
+        if ((word & LENGTH_0) > longestPacket)
+            fail(`USB: a packet of ${word & LENGTH_0} bytes for ${who}`);
+        if (word & AVAILABLE_0 && (word & ~AVAILABLE_0) !== before)
             fail(`USB: the packet of ${who} is available in the same write as what is said about it`);
-        if (word & available && Math.round(now - since) < nanosToSee)
+        if (word & AVAILABLE_0 && Math.round(now - since) < nanosToSee)
             fail(`USB: the packet of ${who} is available ${Math.round(now - since)} ns after what is said about it`);
         this.#said[index] = [word, now];
     }
@@ -226,7 +226,7 @@ export class UsbController extends BasePeripheral {
     /** A packet that the unit has is not to be written. */
     #checkOwner(offset) {
         const owner = this.#said.findIndex(([word], index) => {
-            const at = word & available ? this.#place(endpointAt(index)) : memoryBytes;
+            const at = word & AVAILABLE_0 ? this.#place(endpointAt(index)) : memoryBytes;
             return offset + 4 > at && offset < at + longestPacket;
         });
         if (owner >= 0)
@@ -244,7 +244,7 @@ export class UsbController extends BasePeripheral {
         if (!(control >>> 31))
             return false;
         const at = this.#place(endpoint);
-        if (control & doubleBuffered || ((control >>> 26) & 3) !== interruptType || at < packets + 2 * longestPacket)
+        if (control & DOUBLE_BUFFERED || ((control >>> 26) & 3) !== interruptType || at < packets + 2 * longestPacket)
             fail(`USB: ${name(endpoint)} is set up as ${hex(control)}`);
         return true;
     }
@@ -254,8 +254,8 @@ export class UsbController extends BasePeripheral {
     }
 
     #tells(endpoint) {
-        return endpoint.number === 0 ? this.#has(SIE_CTRL, tellControlPackets)
-            : (this.#control(endpoint) & tellPackets) !== 0;
+        return endpoint.number === 0 ? this.#has(SIE_CTRL, EP0_INT_1BUF)
+            : (this.#control(endpoint) & INTERRUPT_PER_BUFF) !== 0;
     }
 
     #word(endpoint) {

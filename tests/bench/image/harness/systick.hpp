@@ -1,5 +1,7 @@
 #pragma once
 
+#include "firmware/chip/cortex_m.hpp"
+
 #include <cstdint>
 
 /// The CPU's own timer: 24 bits, counting down.
@@ -7,28 +9,26 @@ namespace kfast::bench::systick {
 
 inline constexpr std::uint32_t mask = 0xFF'FFFF;
 
-enum class Interrupt : std::uint32_t { off = 5, on = 7 };
-
-inline volatile std::uint32_t& at(std::uint32_t address)
-{
-    return *reinterpret_cast<volatile std::uint32_t*>(address);
-}
+enum class Interrupt : std::uint32_t {
+    off = cortex_m::syst_csr_clksource | cortex_m::syst_csr_enable,
+    on = off | cortex_m::syst_csr_tickint,
+};
 
 /// Counts `period` ticks down, again and again.
 inline void start(std::uint32_t period, Interrupt interrupt)
 {
-    at(0xE000'E014) = period - 1;
-    at(0xE000'E018) = 0;
-    at(0xE000'E010) = static_cast<std::uint32_t>(interrupt);
+    cortex_m::syst_rvr.write(period - 1);
+    cortex_m::syst_cvr.write(0);
+    cortex_m::syst_csr.write(static_cast<std::uint32_t>(interrupt));
 }
 
 /// No interrupt comes any more.
 inline void stop()
 {
-    at(0xE000'E010) = 0;
-    at(0xE000'ED04) = 1 << 25;
+    cortex_m::syst_csr.write(0);
+    cortex_m::icsr.write(cortex_m::icsr_pendstclr);
 }
 
-inline std::uint32_t value() { return at(0xE000'E018); }
+inline std::uint32_t value() { return cortex_m::syst_cvr.read(); }
 
 }
