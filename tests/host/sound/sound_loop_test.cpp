@@ -1,5 +1,5 @@
-#include "host/sound/wave_file.hpp"
 #include "host/sound/deflection.hpp"
+#include "host/sound/wave_file.hpp"
 #include "tests/compiled.hpp"
 
 #include <algorithm>
