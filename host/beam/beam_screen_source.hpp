@@ -64,12 +64,10 @@ public:
     std::string facts() const override;
     void reveal(bool hidden) override { screen_.reveal_travel(hidden); }
 
-    void set_input(std::uint32_t number, Time place) override { source_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    bool set(std::uint32_t number, const InputContent& content) override
     {
-        return source_.set_drawing(number, strokes);
+        return source_.set(number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) override { source_.set_text(number, text); }
 
 private:
     SceneView scene_;

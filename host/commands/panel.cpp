@@ -30,12 +30,10 @@ class PlayerInputs final : public InputReceiver {
 public:
     explicit PlayerInputs(SceneState& player) : player_{player} {}
 
-    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    bool set(std::uint32_t number, const InputContent& content) override
     {
-        return player_.set_drawing(number, strokes);
+        return kfast::set_input(player_, number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
     SceneState& player_;

@@ -9,6 +9,17 @@
 
 namespace kfast {
 
+bool set_input(SceneState& scene, std::uint32_t number, const InputContent& content)
+{
+    if (const auto* const strokes = std::get_if<std::span<const InputStroke>>(&content))
+        return scene.set_drawing(number, *strokes);
+    if (const auto* const text = std::get_if<std::string_view>(&content))
+        scene.set_text(number, *text);
+    else
+        scene.set_input(number, std::get<Time>(content));
+    return true;
+}
+
 Detail detail_of(const raster::Picture& picture)
 {
     if (picture.outlines.is_full())

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/math/point.hpp"
-#include "core/pose/input_drawing.hpp"
+#include "core/pose/scene_state.hpp"
 #include "core/raster/outline/picture.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
@@ -13,17 +13,32 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 namespace kfast {
 
-/// The inputs of a scene that is shown somewhere: each member as the one of Player.
+/// What an input of a scene can be given: a number as a place of its range (InputView::place_of), a text, or
+/// a drawing.
+using InputContent = std::variant<Time, std::string_view, std::span<const InputStroke>>;
+
+/// Gives it to a playing scene, by the member of SceneState for its kind. Returns false where a drawing does
+/// not fit; nothing changes then.
+bool set_input(SceneState& scene, std::uint32_t number, const InputContent& content);
+
+/// The inputs of a scene that is shown somewhere. Whatever they are given comes by set().
 class InputReceiver {
 public:
     virtual ~InputReceiver() = default;
 
-    virtual void set_input(std::uint32_t number, Time place) = 0;
-    virtual bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) = 0;
-    virtual void set_text(std::uint32_t number, std::string_view text) = 0;
+    /// As the function set_input() above.
+    virtual bool set(std::uint32_t number, const InputContent& content) = 0;
+
+    void set_input(std::uint32_t number, Time place) { set(number, place); }
+    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
+    {
+        return set(number, strokes);
+    }
+    void set_text(std::uint32_t number, std::string_view text) { set(number, text); }
 };
 
 /// What of a picture found room for its outlines, the least first.
@@ -92,12 +107,10 @@ public:
     }
 
     const Frame& show(Time moment) override;
-    void set_input(std::uint32_t number, Time place) override { source_->set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    bool set(std::uint32_t number, const InputContent& content) override
     {
-        return source_->set_drawing(number, strokes);
+        return source_->set(number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) override { source_->set_text(number, text); }
     Pace pace() const override { return source_->pace(); }
     std::string facts() const override { return source_->facts(); }
     Detail min_detail() const override { return source_->min_detail(); }

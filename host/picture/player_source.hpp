@@ -16,12 +16,10 @@ public:
     PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format);
 
     const Frame& show(Time moment) override;
-    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    bool set(std::uint32_t number, const InputContent& content) override
     {
-        return player_.set_drawing(number, strokes);
+        return kfast::set_input(player_, number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
     std::string facts() const override { return detail_.text(); }
     Detail min_detail() const override { return detail_.min(); }
 

@@ -20,12 +20,10 @@ public:
     Size size() const { return panel_; }
     Colour background() const { return player_.scene().colour(0); }
 
-    void set_input(std::uint32_t number, Time place) override { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override
+    bool set(std::uint32_t number, const InputContent& content) override
     {
-        return player_.set_drawing(number, strokes);
+        return kfast::set_input(player_, number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) override { player_.set_text(number, text); }
 
 private:
     class SvgPlayer : public SceneState {

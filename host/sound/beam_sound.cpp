@@ -39,21 +39,10 @@ const Frame& BeamSound::show(Time moment)
 
 void BeamSound::accompany(Time moment) { led_->show(beam_.show(moment)); }
 
-void BeamSound::set_input(std::uint32_t number, Time place)
+bool BeamSound::set(std::uint32_t number, const InputContent& content)
 {
-    picture_->set_input(number, place);
-    beam_.set_input(number, place);
-}
-
-bool BeamSound::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
-{
-    return picture_->set_drawing(number, strokes) && beam_.set_drawing(number, strokes);
-}
-
-void BeamSound::set_text(std::uint32_t number, std::string_view text)
-{
-    picture_->set_text(number, text);
-    beam_.set_text(number, text);
+    const bool fits = picture_->set(number, content);
+    return beam_.set(number, content) && fits;
 }
 
 }

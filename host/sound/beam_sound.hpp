@@ -42,9 +42,7 @@ public:
     Pace pace() const override { return picture_->pace(); }
     std::string facts() const override { return picture_->facts(); }
     void reveal(bool hidden) override { picture_->reveal(hidden); }
-    void set_input(std::uint32_t number, Time place) override;
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override;
-    void set_text(std::uint32_t number, std::string_view text) override;
+    bool set(std::uint32_t number, const InputContent& content) override;
 
 private:
     std::unique_ptr<FrameSource> picture_;

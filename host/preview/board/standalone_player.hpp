@@ -19,12 +19,10 @@ public:
 
     Player& player() { return player_; }
 
-    void set_input(std::uint32_t number, Time place) final { player_.set_input(number, place); }
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) final
+    bool set(std::uint32_t number, const InputContent& content) final
     {
-        return player_.set_drawing(number, strokes);
+        return kfast::set_input(player_, number, content);
     }
-    void set_text(std::uint32_t number, std::string_view text) final { player_.set_text(number, text); }
 
 private:
     WordBlock block_;

@@ -101,9 +101,7 @@ public:
     {
     }
 
-    void set_input(std::uint32_t, Time) override {}
-    void set_text(std::uint32_t, std::string_view) override {}
-    bool set_drawing(std::uint32_t, std::span<const InputStroke>) override { return true; }
+    bool set(std::uint32_t, const InputContent&) override { return true; }
 
     const Frame& show(Time moment) override
     {

@@ -137,25 +137,11 @@ ItemFacts OverlaySource::facts(Time moment, std::size_t item)
     return facts_at(posed.on_panel(), *view, at);
 }
 
-void OverlaySource::set_input(std::uint32_t number, Time place)
-{
-    parts_->posed.set_input(number, place);
-    for (InputReceiver* const player : parts_->players())
-        player->set_input(number, place);
-}
-
-bool OverlaySource::set_drawing(std::uint32_t number, std::span<const InputStroke> strokes)
+bool OverlaySource::set(std::uint32_t number, const InputContent& content)
 {
     for (InputReceiver* const player : parts_->players())
-        player->set_drawing(number, strokes);
-    return parts_->posed.set_drawing(number, strokes);
-}
-
-void OverlaySource::set_text(std::uint32_t number, std::string_view text)
-{
-    parts_->posed.set_text(number, text);
-    for (InputReceiver* const player : parts_->players())
-        player->set_text(number, text);
+        player->set(number, content);
+    return kfast::set_input(parts_->posed, number, content);
 }
 
 }

@@ -38,9 +38,7 @@ public:
     /// What an item is at a moment, by its place in SceneFile::item_names; of one that there is not nothing.
     ItemFacts facts(Time moment, std::size_t item);
 
-    void set_input(std::uint32_t number, Time place) override;
-    bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes) override;
-    void set_text(std::uint32_t number, std::string_view text) override;
+    bool set(std::uint32_t number, const InputContent& content) override;
 
 private:
     struct Parts;

@@ -13,9 +13,7 @@ public:
 
     PaintedSource(Size size, Paint paint) : paint_{std::move(paint)}, frame_{PixelFormat::rgb565, size, {}} {}
 
-    void set_input(std::uint32_t, Time) override {}
-    void set_text(std::uint32_t, std::string_view) override {}
-    bool set_drawing(std::uint32_t, std::span<const InputStroke>) override { return true; }
+    bool set(std::uint32_t, const InputContent&) override { return true; }
     const Frame& show(Time time) override
     {
         frame_.pixels.clear();

@@ -32,9 +32,7 @@ public:
         shown.push_back(moment.ticks / Time::ticks_per_frame);
         return source_.show(moment);
     }
-    void set_input(std::uint32_t, Time) override {}
-    bool set_drawing(std::uint32_t, std::span<const InputStroke>) override { return true; }
-    void set_text(std::uint32_t, std::string_view) override {}
+    bool set(std::uint32_t, const InputContent&) override { return true; }
 
     std::vector<int> shown;
 

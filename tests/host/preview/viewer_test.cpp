@@ -46,9 +46,7 @@ TEST_CASE("what is told about a picture belongs to the one that is shown, kept o
         }
         void accompany(Time moment) override { heard_.push_back(moment.ticks / Time::ticks_per_frame); }
         std::string facts() const override { return "fact " + std::to_string(shown_); }
-        void set_input(std::uint32_t, Time) override {}
-        bool set_drawing(std::uint32_t, std::span<const InputStroke>) override { return true; }
-        void set_text(std::uint32_t, std::string_view) override {}
+        bool set(std::uint32_t, const InputContent&) override { return true; }
 
         std::vector<int>& heard_;
         int shown_ = 0;
