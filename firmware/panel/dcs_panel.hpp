@@ -2,6 +2,7 @@
 
 #include "firmware/panel/colour_bus.hpp"
 #include "firmware/panel/panel.hpp"
+#include "firmware/panel/panel_driver.hpp"
 #include "firmware/panel/picture_place.hpp"
 #include "firmware/panel/start_up.hpp"
 #include "firmware/settings/controller_facts.hpp"
@@ -115,6 +116,15 @@ private:
     PanelSettings settings_;
     const DcsController& controller_;
     PicturePlace place_;
+};
+
+/// The driver of a Controller that follows MIPI DCS.
+template <const DcsController& controller>
+struct DcsDriver {
+    static constexpr const DcsController* dcs = &controller;
+
+    template <DisplayBus Bus>
+    using On = DcsPanel<Bus>;
 };
 
 }

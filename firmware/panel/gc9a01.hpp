@@ -62,4 +62,8 @@ inline constexpr auto gc9a01_start_up = std::to_array<StartUpStep>({
 inline constexpr DcsController gc9a01{
     .memory = facts_of(Controller::gc9a01).memory, .start_up = gc9a01_start_up, .dims = true};
 
+template <>
+struct PanelDriver<Controller::gc9a01> : DcsDriver<gc9a01> {
+};
+
 }

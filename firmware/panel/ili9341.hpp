@@ -36,4 +36,8 @@ inline constexpr auto ili9341_start_up = std::to_array<StartUpStep>({
 inline constexpr DcsController ili9341{
     .memory = facts_of(Controller::ili9341).memory, .start_up = ili9341_start_up, .dims = true};
 
+template <>
+struct PanelDriver<Controller::ili9341> : DcsDriver<ili9341> {
+};
+
 }

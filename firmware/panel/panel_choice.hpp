@@ -8,48 +8,49 @@
 #include "firmware/panel/st7735.hpp"
 #include "firmware/panel/st7789.hpp"
 
+#include <array>
 #include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
 
 namespace kfast {
 
 /// Null: it does not follow MIPI DCS.
-constexpr const DcsController* dcs_controller(Controller controller)
+template <Controller controller>
+constexpr const DcsController* dcs_controller()
 {
-    switch (controller) {
-    case Controller::st7789:
-        return &st7789;
-    case Controller::ili9341:
-        return &ili9341;
-    case Controller::st7735:
-        return &st7735;
-    case Controller::gc9a01:
-        return &gc9a01;
-    case Controller::ssd1306:
-    case Controller::ssd1351:
-    case Controller::ssd0323:
-        break;
-    }
-    return nullptr;
+    if constexpr (requires { PanelDriver<controller>::dcs; })
+        return PanelDriver<controller>::dcs;
+    else
+        return nullptr;
 }
 
-/// Calls `use.template operator()<P>()`, P being the driver of `controller` on such a bus.
-template <DisplayBus Bus, class Use>
+template <std::size_t... number>
+constexpr std::array<const DcsController*, sizeof...(number)> listed_dcs(std::index_sequence<number...>)
+{
+    return {dcs_controller<static_cast<Controller>(number)>()...};
+}
+
+/// In the order of Controller.
+inline constexpr std::array<const DcsController*, controller_count> dcs_controllers =
+    listed_dcs(std::make_index_sequence<controller_count>{});
+
+/// Calls `use.template operator()<P>()`, P being the driver of `controller` on such a bus. One that follows
+/// MIPI DCS is what all others are not, so that the code for their class is there once.
+template <DisplayBus Bus, std::size_t first = 0, class Use>
 auto with_driver(Controller controller, Use&& use)
 {
-    switch (controller) {
-    case Controller::st7789:
-    case Controller::ili9341:
-    case Controller::st7735:
-    case Controller::gc9a01:
-        break;
-    case Controller::ssd1306:
-        return use.template operator()<Ssd1306<Bus>>();
-    case Controller::ssd1351:
-        return use.template operator()<Ssd1351<Bus>>();
-    case Controller::ssd0323:
-        return use.template operator()<Ssd0323<Bus>>();
+    if constexpr (first == controller_count) {
+        return use.template operator()<DcsPanel<Bus>>();
+    } else {
+        constexpr auto candidate = static_cast<Controller>(first);
+        using P = typename PanelDriver<candidate>::template On<Bus>;
+        if constexpr (!std::is_same_v<P, DcsPanel<Bus>>)
+            if (controller == candidate)
+                return use.template operator()<P>();
+        return with_driver<Bus, first + 1>(controller, use);
     }
-    return use.template operator()<DcsPanel<Bus>>();
 }
 
 /// The driver `P` of what `settings` describe. `bus` must outlive it.
@@ -59,7 +60,7 @@ P make_panel(Bus& bus, const PanelSettings& settings)
     if constexpr (std::constructible_from<P, Bus&, const PanelSettings&>)
         return P{bus, settings};
     else
-        return P{bus, settings, *dcs_controller(settings.controller)};
+        return P{bus, settings, *dcs_controllers[static_cast<std::size_t>(settings.controller)]};
 }
 
 /// Calls `use(panel)` with the driver of the controller that `settings` names: from a controller chosen at

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "firmware/panel/oled_power.hpp"
-#include "firmware/panel/panel.hpp"
-#include "firmware/panel/picture_place.hpp"
-#include "firmware/panel/start_up.hpp"
-#include "firmware/settings/controller_facts.hpp"
+#include "firmware/panel/oled_panel.hpp"
 
 #include <array>
 #include <cstddef>
@@ -54,26 +50,18 @@ constexpr auto ssd0323_start_up(const PanelSettings& settings)
 
 /// Solomon SSD0323: OLED of up to 128 x 80 pixels, 16 greys, two pixels a byte.
 template <DisplayBus Bus>
-class Ssd0323 {
-public:
-    static constexpr PixelFormat format = facts_of(Controller::ssd0323).format;
-    static constexpr Size granularity = facts_of(Controller::ssd0323).granularity;
-    static constexpr int window_bytes = facts_of(Controller::ssd0323).window_bytes;
+class Ssd0323 : public OledPanel<Bus, Controller::ssd0323, Arguments::with_command> {
+    using Oled = OledPanel<Bus, Controller::ssd0323, Arguments::with_command>;
 
+public:
     /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in an even
     /// column.
-    Ssd0323(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
-    {
-    }
-
-    Size size() const { return settings_.size(); }
+    Ssd0323(Bus& bus, const PanelSettings& settings) : Oled{bus, settings} {}
 
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(oled_power_rise);
-        send_start_up<arguments>(bus_, ssd0323_start_up(settings_), pause);
+        this->send_table(ssd0323_start_up(settings_), pause);
     }
 
     void start(Rect area, std::span<const std::byte> pixels)
@@ -83,38 +71,16 @@ public:
         bus_.start_data(pixels);
     }
 
-    bool busy() { return bus_.busy(); }
-
-    void light() { send_command<arguments>(bus_, 0xAF); } // display on
-
-    void set_brightness(std::uint8_t brightness)
-    {
-        send_command<arguments>(bus_, 0x81, ssd0323_contrast(brightness));
-    }
-
-    template <class Pause>
-    void sleep(Pause&&)
-    {
-        send_command<arguments>(bus_, 0xAE);
-    }
-
-    template <class Pause>
-    void wake(Pause&&)
-    {
-    }
+    void set_brightness(std::uint8_t brightness) { send(0x81, ssd0323_contrast(brightness)); }
 
 private:
-    static constexpr Arguments arguments = Arguments::with_command;
-    static constexpr Size memory = facts_of(Controller::ssd0323).memory;
+    using Oled::bus_, Oled::memory, Oled::place_, Oled::send, Oled::select, Oled::settings_;
+};
 
-    void select(int axis, int first, int count)
-    {
-        send_command<arguments>(bus_, axis, first, first + count - 1);
-    }
-
-    Bus& bus_;
-    PanelSettings settings_;
-    PicturePlace place_;
+template <>
+struct PanelDriver<Controller::ssd0323> {
+    template <DisplayBus Bus>
+    using On = Ssd0323<Bus>;
 };
 
 }

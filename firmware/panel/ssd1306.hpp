@@ -1,11 +1,7 @@
 #pragma once
 
-#include "firmware/panel/oled_power.hpp"
+#include "firmware/panel/oled_panel.hpp"
 #include "firmware/panel/pages.hpp"
-#include "firmware/panel/panel.hpp"
-#include "firmware/panel/picture_place.hpp"
-#include "firmware/panel/start_up.hpp"
-#include "firmware/settings/controller_facts.hpp"
 
 #include <array>
 #include <cstddef>
@@ -39,28 +35,20 @@ inline constexpr auto ssd1306_start_up = std::to_array<StartUpStep>({
 /// Solomon SSD1306: OLED of up to 128 x 64 pixels, lit or dark, eight of them below each other in a byte.
 /// Over SPI or I²C.
 template <DisplayBus Bus>
-class Ssd1306 {
-public:
-    static constexpr PixelFormat format = facts_of(Controller::ssd1306).format;
-    static constexpr Size granularity = facts_of(Controller::ssd1306).granularity;
-    static constexpr int window_bytes = facts_of(Controller::ssd1306).window_bytes;
+class Ssd1306 : public OledPanel<Bus, Controller::ssd1306, Arguments::with_command> {
+    using Oled = OledPanel<Bus, Controller::ssd1306, Arguments::with_command>;
 
+public:
     /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in a row that
     /// is a multiple of 8.
-    Ssd1306(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
-    {
-    }
-
-    Size size() const { return settings_.size(); }
+    Ssd1306(Bus& bus, const PanelSettings& settings) : Oled{bus, settings} {}
 
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(oled_power_rise);
-        send_start_up<arguments>(bus_, ssd1306_start_up, pause);
+        this->send_table(ssd1306_start_up, pause);
         send_glass();
-        send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
+        send(settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
     }
 
@@ -69,52 +57,45 @@ public:
         select(0x21, place_.column + area.x, area.width);
         select(0x22, (place_.row + area.y) / 8, area.height / 8);
         const std::span sent = std::span{pages_}.first(pixels.size());
-        fill_pages(pixels, row_bytes(format, area.width), sent);
+        fill_pages(pixels, row_bytes(Oled::format, area.width), sent);
         bus_.start_data(sent);
     }
 
-    bool busy() { return bus_.busy(); }
-
-    void light() { send_command<arguments>(bus_, 0xAF); } // display on
-
-    void set_brightness(std::uint8_t brightness) { send_command<arguments>(bus_, 0x81, brightness); }
+    void set_brightness(std::uint8_t brightness) { send(0x81, brightness); }
 
     template <class Pause>
     void sleep(Pause&&)
     {
-        send_command<arguments>(bus_, 0xAE);
-        send_command<arguments>(bus_, 0x8D, 0x10); // charge pump off
+        send(0xAE);
+        send(0x8D, 0x10); // charge pump off
     }
 
     template <class Pause>
     void wake(Pause&&)
     {
-        send_command<arguments>(bus_, 0x8D, 0x14);
+        send(0x8D, 0x14);
     }
 
 private:
-    static constexpr Arguments arguments = Arguments::with_command;
-    static constexpr Size memory = facts_of(Controller::ssd1306).memory;
+    using Oled::bus_, Oled::memory, Oled::place_, Oled::send, Oled::select, Oled::settings_;
 
     void send_glass()
     {
         // An upright glass is wired from the last column and row to the first.
         const bool upright = settings_.rotation == Rotation::none;
-        send_command<arguments>(bus_, 0xA8, scanned(settings_, memory).height - 1);
-        send_command<arguments>(bus_, upright ? 0xA1 : 0xA0);
-        send_command<arguments>(bus_, upright ? 0xC8 : 0xC0);
-        send_command<arguments>(bus_, 0xDA, ssd1306_row_wiring(settings_.glass));
+        send(0xA8, scanned(settings_, memory).height - 1);
+        send(upright ? 0xA1 : 0xA0);
+        send(upright ? 0xC8 : 0xC0);
+        send(0xDA, ssd1306_row_wiring(settings_.glass));
     }
 
-    void select(int axis, int first, int count)
-    {
-        send_command<arguments>(bus_, axis, first, first + count - 1);
-    }
+    std::array<std::byte, row_bytes(Oled::format, memory.width) * memory.height> pages_{}; ///< on their way
+};
 
-    Bus& bus_;
-    PanelSettings settings_;
-    PicturePlace place_;
-    std::array<std::byte, row_bytes(format, memory.width) * memory.height> pages_{}; ///< on their way
+template <>
+struct PanelDriver<Controller::ssd1306> {
+    template <DisplayBus Bus>
+    using On = Ssd1306<Bus>;
 };
 
 }

@@ -1,11 +1,6 @@
 #pragma once
 
-#include "firmware/panel/colour_bus.hpp"
-#include "firmware/panel/oled_power.hpp"
-#include "firmware/panel/panel.hpp"
-#include "firmware/panel/picture_place.hpp"
-#include "firmware/panel/start_up.hpp"
-#include "firmware/settings/controller_facts.hpp"
+#include "firmware/panel/oled_panel.hpp"
 
 #include <array>
 #include <cstddef>
@@ -34,30 +29,22 @@ inline constexpr auto ssd1351_start_up = std::to_array<StartUpStep>({
 
 /// Solomon SSD1351: OLED of up to 128 x 128 pixels, 16-bit colour.
 template <DisplayBus Bus>
-class Ssd1351 {
+class Ssd1351 : public OledPanel<Bus, Controller::ssd1351, Arguments::as_parameters> {
+    using Oled = OledPanel<Bus, Controller::ssd1351, Arguments::as_parameters>;
+
 public:
-    static constexpr PixelFormat format = colour_format<Bus>;
-    static constexpr Size granularity = facts_of(Controller::ssd1351).granularity;
-    static constexpr int window_bytes = facts_of(Controller::ssd1351).window_bytes;
-
     /// `bus` must outlive the panel.
-    Ssd1351(Bus& bus, const PanelSettings& settings)
-        : bus_{bus}, settings_{settings}, place_{picture_place(settings, scanned(settings, memory))}
-    {
-    }
-
-    Size size() const { return settings_.size(); }
+    Ssd1351(Bus& bus, const PanelSettings& settings) : Oled{bus, settings} {}
 
     template <class Pause>
     void begin(Pause&& pause)
     {
-        pause(oled_power_rise);
-        send_start_up<arguments>(bus_, ssd1351_start_up, pause);
+        this->send_table(ssd1351_start_up, pause);
         // No more rows than the glass has, for the last one that is scanned is the uppermost of an upright
         // one.
-        send_command<arguments>(bus_, 0xCA, scanned(settings_, memory).height - 1);
-        send_command<arguments>(bus_, 0xA0, remap());
-        send_command<arguments>(bus_, settings_.inverted ? 0xA7 : 0xA6);
+        send(0xCA, scanned(settings_, memory).height - 1);
+        send(0xA0, remap());
+        send(settings_.inverted ? 0xA7 : 0xA6);
         set_brightness(settings_.brightness);
     }
 
@@ -68,35 +55,19 @@ public:
         const bool across = lies_across(settings_.rotation);
         select(across ? 0x75 : 0x15, place_.column + area.x, area.width);
         select(across ? 0x15 : 0x75, place_.row + area.y, area.height);
-        send_command<arguments>(bus_, 0x5C); // write
+        send(0x5C); // write
         start_colours(bus_, pixels);
     }
-
-    bool busy() { return bus_.busy(); }
-
-    void light() { send_command<arguments>(bus_, 0xAF); } // display on
 
     void set_brightness(std::uint8_t brightness)
     {
         // The contrasts of the three colours, balanced for white.
         const auto dimmed = [brightness](int full) { return full * brightness / 255; };
-        send_command<arguments>(bus_, 0xC1, dimmed(0xC8), dimmed(0x80), dimmed(0xC8));
-    }
-
-    template <class Pause>
-    void sleep(Pause&&)
-    {
-        send_command<arguments>(bus_, 0xAE);
-    }
-
-    template <class Pause>
-    void wake(Pause&&)
-    {
+        send(0xC1, dimmed(0xC8), dimmed(0x80), dimmed(0xC8));
     }
 
 private:
-    static constexpr Arguments arguments = Arguments::as_parameters;
-    static constexpr Size memory = facts_of(Controller::ssd1351).memory;
+    using Oled::bus_, Oled::memory, Oled::place_, Oled::send, Oled::select, Oled::settings_;
 
     int remap() const
     {
@@ -115,15 +86,12 @@ private:
         const int glass = colours_65k | rows_split | (settings_.bgr ? 0 : red_first);
         return glass | turned[static_cast<std::size_t>(settings_.rotation)];
     }
+};
 
-    void select(int axis, int first, int count)
-    {
-        send_command<arguments>(bus_, axis, first, first + count - 1);
-    }
-
-    Bus& bus_;
-    PanelSettings settings_;
-    PicturePlace place_;
+template <>
+struct PanelDriver<Controller::ssd1351> {
+    template <DisplayBus Bus>
+    using On = Ssd1351<Bus>;
 };
 
 }

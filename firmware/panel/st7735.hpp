@@ -36,4 +36,8 @@ inline constexpr auto st7735_start_up = std::to_array<StartUpStep>({
 inline constexpr DcsController st7735{
     .memory = facts_of(Controller::st7735).memory, .start_up = st7735_start_up, .dims = false};
 
+template <>
+struct PanelDriver<Controller::st7735> : DcsDriver<st7735> {
+};
+
 }

@@ -32,4 +32,8 @@ inline constexpr auto st7789_start_up = std::to_array<StartUpStep>({
 inline constexpr DcsController st7789{
     .memory = facts_of(Controller::st7789).memory, .start_up = st7789_start_up, .dims = true};
 
+template <>
+struct PanelDriver<Controller::st7789> : DcsDriver<st7789> {
+};
+
 }

@@ -1,6 +1,7 @@
 #include "firmware/settings/board_record.hpp"
 
 #include "firmware/chip/span_writer.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,25 +2,16 @@
 
 #include "core/math/point.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 namespace kfast {
 
-/// The display controllers that firmware/panel/ has drivers for. Stored: a number stays what it is.
+/// The display controllers that firmware/panel/ has drivers for; each is a row in controller_facts.hpp.
+/// Stored: a number stays what it is.
 enum class Controller : std::uint8_t { st7789, ili9341, st7735, gc9a01, ssd1306, ssd1351, ssd0323 };
 
-/// In the order of Controller.
-inline constexpr std::array<std::string_view, 7> controller_names{
-    "st7789", "ili9341", "st7735", "gc9a01", "ssd1306", "ssd1351", "ssd0323",
-};
-
-constexpr std::string_view controller_name(Controller controller)
-{
-    return controller_names[static_cast<std::size_t>(controller)];
-}
+inline constexpr std::size_t controller_count = static_cast<std::size_t>(Controller::ssd0323) + 1;
 
 /// How far the picture is turned on the glass, clockwise, against the way that the controller scans it.
 /// Stored.

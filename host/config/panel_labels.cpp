@@ -1,115 +1,114 @@
 #include "host/config/panel_labels.hpp"
 
+#include "firmware/settings/controller_facts.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace kfast::config {
 
 namespace {
 
-/// In the order of PinRole.
-using Labels = std::array<std::string_view, pin_role_names.size()>;
+/// Whose print is on a module. Of SPI it depends on the display.
+enum class Print : std::uint8_t { lcd_spi, colour_oled_spi, mono_oled_spi, i2c, parallel, mcp4922 };
 
-constexpr Labels colour_by_spi{"SCL, SCK or CLK", "SDA, MOSI or DIN", "CS", "DC, RS or A0",
-                               "RES or RST",      "BLK, BL or LED",   "TE"};
-constexpr Labels lit_by_spi{
-    "SCL, SCK or CLK", "SDA, MOSI or DIN", "CS", "DC, RS or A0", "RES or RST", "", ""};
-constexpr Labels mono_by_spi{"D0, CLK or SCK", "D1, DIN or MOSI", "CS", "DC", "RES or RST", "", ""};
-constexpr Labels by_i2c{"SCL or SCK", "SDA", "", "", "RES or RST", "", ""};
-constexpr Labels parallel{"WR", "D", "CS", "RS or DC", "RST or RES", "BLK, BL or LED", "TE"};
-/// The legs of an MCP4922, and the Z input of what it leads.
-constexpr Labels dac{"SCK (4)", "SDI (5)", "CS (3)", "", "", "", "", "", "LDAC (8)", "Z or BLANK"};
+constexpr std::size_t print_count = 6;
+constexpr std::size_t max_printed_names = 6;
 
-const Labels& labels_by_spi(Controller controller)
+/// What is known of a role's pin on a module.
+struct PinRoleRow {
+    PinRole role;
+    IdleLevel idle; ///< where the pin goes that the display may have and no GPIO drives
+    std::array<std::string_view, print_count> labels;                   ///< in the order of Print
+    std::array<std::string_view, max_printed_names> printed_names = {}; ///< in small letters
+};
+
+/// In the order of PinRole. An MCP4922 has the numbers of its legs; the Z input is that of what it leads.
+constexpr std::array<PinRoleRow, pin_role_names.size()> rows{
+    PinRoleRow{PinRole::clock,
+               IdleLevel::none,
+               {"SCL, SCK or CLK", "SCL, SCK or CLK", "D0, CLK or SCK", "SCL or SCK", "WR", "SCK (4)"},
+               {"sck", "scl", "sclk", "clk", "wr"}},
+    PinRoleRow{PinRole::data,
+               IdleLevel::none,
+               {"SDA, MOSI or DIN", "SDA, MOSI or DIN", "D1, DIN or MOSI", "SDA", "D", "SDI (5)"},
+               {"mosi", "sda", "sdi", "din", "tx", "d0"}},
+    PinRoleRow{PinRole::select, IdleLevel::low, {"CS", "CS", "CS", "", "CS", "CS (3)"}, {"cs", "ce"}},
+    PinRoleRow{PinRole::dc,
+               IdleLevel::none,
+               {"DC, RS or A0", "DC, RS or A0", "DC", "", "RS or DC", ""},
+               {"rs", "a0"}},
+    PinRoleRow{PinRole::reset,
+               IdleLevel::high,
+               {"RES or RST", "RES or RST", "RES or RST", "RES or RST", "RST or RES", ""},
+               {"rst", "res"}},
+    PinRoleRow{PinRole::backlight,
+               IdleLevel::high,
+               {"BLK, BL or LED", "", "", "", "BLK, BL or LED", ""},
+               {"bl", "blk", "led"}},
+    PinRoleRow{PinRole::tearing, IdleLevel::none, {"TE", "", "", "", "TE", ""}, {"te"}},
+    PinRoleRow{PinRole::log, IdleLevel::none, {}, {"uart"}},
+    PinRoleRow{PinRole::ldac, IdleLevel::none, {"", "", "", "", "", "LDAC (8)"}, {"load"}},
+    PinRoleRow{PinRole::blank, IdleLevel::none, {"", "", "", "", "", "Z or BLANK"}, {"z"}},
+};
+
+constexpr const PinRoleRow& row_of(PinRole role) { return rows[static_cast<std::size_t>(role)]; }
+
+static_assert(std::ranges::all_of(rows, [](const PinRoleRow& row) { return &row == &row_of(row.role); }),
+              "one row for each PinRole, in its order");
+
+Print print_by_spi(ModuleKind module)
 {
-    switch (controller) {
-    case Controller::st7789:
-    case Controller::ili9341:
-    case Controller::st7735:
-    case Controller::gc9a01:
+    switch (module) {
+    case ModuleKind::lcd:
         break;
-    case Controller::ssd1351:
-        return lit_by_spi;
-    case Controller::ssd1306:
-    case Controller::ssd0323:
-        return mono_by_spi;
+    case ModuleKind::colour_oled:
+        return Print::colour_oled_spi;
+    case ModuleKind::mono_oled:
+        return Print::mono_oled_spi;
     }
-    return colour_by_spi;
+    return Print::lcd_spi;
 }
 
-const Labels& labels_of(const BoardSettings& settings)
+Print print_of(const BoardSettings& settings)
 {
     switch (settings.bus) {
     case BusKind::i2c:
-        return by_i2c;
+        return Print::i2c;
     case BusKind::parallel_8:
-        return parallel;
+        return Print::parallel;
     case BusKind::dac:
-        return dac;
+        return Print::mcp4922;
     case BusKind::spi:
         break;
     }
-    return labels_by_spi(settings.panel.controller);
+    return print_by_spi(controller_row(settings.panel.controller).module);
 }
 
 }
 
 std::string_view panel_label(PinRole role, const BoardSettings& settings)
 {
-    return labels_of(settings)[static_cast<std::size_t>(role)];
+    return row_of(role).labels[static_cast<std::size_t>(print_of(settings))];
 }
 
 IdleLevel idle_level(PinRole role, const BoardSettings& settings)
 {
     if (settings.pin(role) != no_pin || panel_label(role, settings).empty())
         return IdleLevel::none;
-    switch (role) {
-    case PinRole::select:
-        return IdleLevel::low;
-    case PinRole::reset:
-    case PinRole::backlight:
-        return IdleLevel::high;
-    case PinRole::clock:
-    case PinRole::data:
-    case PinRole::dc:
-    case PinRole::tearing:
-    case PinRole::log:
-    case PinRole::ldac:
-    case PinRole::blank:
-        break;
-    }
-    return IdleLevel::none;
-}
-
-namespace {
-
-struct PrintedName {
-    std::string_view name;
-    PinRole role;
-};
-
-constexpr std::array printed_names{
-    PrintedName{"sck", PinRole::clock},     PrintedName{"scl", PinRole::clock},
-    PrintedName{"sclk", PinRole::clock},    PrintedName{"clk", PinRole::clock},
-    PrintedName{"wr", PinRole::clock},      PrintedName{"mosi", PinRole::data},
-    PrintedName{"sda", PinRole::data},      PrintedName{"sdi", PinRole::data},
-    PrintedName{"din", PinRole::data},      PrintedName{"tx", PinRole::data},
-    PrintedName{"d0", PinRole::data},       PrintedName{"cs", PinRole::select},
-    PrintedName{"ce", PinRole::select},     PrintedName{"rs", PinRole::dc},
-    PrintedName{"a0", PinRole::dc},         PrintedName{"rst", PinRole::reset},
-    PrintedName{"res", PinRole::reset},     PrintedName{"bl", PinRole::backlight},
-    PrintedName{"blk", PinRole::backlight}, PrintedName{"led", PinRole::backlight},
-    PrintedName{"te", PinRole::tearing},    PrintedName{"uart", PinRole::log},
-    PrintedName{"z", PinRole::blank},       PrintedName{"load", PinRole::ldac},
-};
-
+    return row_of(role).idle;
 }
 
 std::optional<PinRole> role_printed_as(std::string_view name)
 {
-    const auto printed = std::ranges::find(printed_names, name, &PrintedName::name);
-    return printed == printed_names.end() ? std::nullopt : std::optional{printed->role};
+    if (name.empty())
+        return std::nullopt;
+    const auto row = std::ranges::find_if(rows, [name](const PinRoleRow& role) {
+        return std::ranges::find(role.printed_names, name) != role.printed_names.end();
+    });
+    return row == rows.end() ? std::nullopt : std::optional{row->role};
 }
 
 }

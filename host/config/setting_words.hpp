@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/settings/board_settings.hpp"
+#include "firmware/settings/controller_facts.hpp"
 
 #include <cstddef>
 #include <string>
@@ -8,10 +9,7 @@
 /// What settings are called in texts and messages.
 namespace kfast::config {
 
-inline std::string word_of(Controller controller)
-{
-    return std::string{controller_names[static_cast<std::size_t>(controller)]};
-}
+inline std::string word_of(Controller controller) { return std::string{controller_name(controller)}; }
 
 inline std::string word_of(BusKind bus) { return std::string{bus_names[static_cast<std::size_t>(bus)]}; }
 

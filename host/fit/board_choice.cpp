@@ -1,5 +1,6 @@
 #include "host/fit/board_choice.hpp"
 
+#include "firmware/settings/controller_facts.hpp"
 #include "host/file/input_file.hpp"
 #include "host/fit/board_reader.hpp"
 #include "host/fit/board_texts.hpp"

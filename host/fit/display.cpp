@@ -13,37 +13,34 @@ namespace {
 /// Column and row with two bytes each.
 constexpr std::size_t short_window = 3 + 3;
 
-constexpr Display default_display(Controller controller)
+constexpr Display default_display(const ControllerRow& row)
 {
-    const ControllerFacts& facts = facts_of(controller);
-    return {.name = controller_names[static_cast<std::size_t>(controller)],
+    const ControllerFacts& facts = row.facts;
+    return {.name = row.name,
             .size = facts.default_value.glass,
             .format = facts.format,
             .granularity = facts.granularity,
             .window_bytes = static_cast<std::size_t>(facts.window_bytes),
-            .rated_spi = static_cast<double>(facts.spi_hz)};
+            .rated_spi = row.is_rated ? static_cast<double>(facts.spi_hz) : 0};
 }
 
-/// Its clock is not known from the maker himself (firmware/settings/controller_facts.hpp).
-constexpr Display unrated(Display display)
-{
-    display.rated_spi = 0;
-    return display;
-}
-
-/// Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus. Of those without a
-/// driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
-constexpr std::array known_displays{
-    unrated(default_display(Controller::gc9a01)),
-    default_display(Controller::ili9341),
-    default_display(Controller::ssd0323),
-    default_display(Controller::ssd1306),
+/// Those without a driver in firmware/panel/. Their clocks are the write cycles of the makers' tables too.
+constexpr std::array undriven{
     Display{"ssd1322", {256, 64}, PixelFormat::grey4, {4, 1}, short_window + 1, 10e6, false},
-    default_display(Controller::ssd1351),
-    default_display(Controller::st7735),
-    default_display(Controller::st7789),
     Display{"st7796", {320, 480}, PixelFormat::rgb565, {1, 1}, dcs_window_bytes, 62.5e6, false},
 };
+
+/// By their names. Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus.
+constexpr auto known_displays = [] {
+    std::array<Display, controller_count + undriven.size()> displays{};
+    const auto driven = std::ranges::transform(controller_rows, displays.begin(), default_display);
+    std::ranges::copy(undriven, driven.out);
+    std::ranges::sort(displays, {}, &Display::name);
+    return displays;
+}();
+
+static_assert(std::ranges::adjacent_find(known_displays, {}, &Display::name) == known_displays.end(),
+              "a display that has a driver is not among the undriven");
 
 }
 

@@ -31,25 +31,53 @@ void check_glass(const PanelSettings& settings)
                       " does not lie within the memory of the controller, " + text_of(memory));
 }
 
+using MakeModel = std::unique_ptr<ControllerModel>(const PanelSettings&);
+
+template <class Model>
+std::unique_ptr<ControllerModel> make_model(const PanelSettings& settings)
+{
+    return std::make_unique<Model>(settings);
+}
+
+template <const DcsKind& kind>
+std::unique_ptr<ControllerModel> make_dcs_model(const PanelSettings& settings)
+{
+    return std::make_unique<DcsModel>(settings, kind);
+}
+
+struct ModelRow {
+    Controller controller;
+    MakeModel* make;
+};
+
+/// In the order of Controller.
+constexpr std::array<ModelRow, controller_count> models{{
+    {Controller::st7789, make_dcs_model<st7789_kind>},
+    {Controller::ili9341, make_dcs_model<ili9341_kind>},
+    {Controller::st7735, make_dcs_model<st7735_kind>},
+    {Controller::gc9a01, make_dcs_model<gc9a01_kind>},
+    {Controller::ssd1306, make_model<Ssd1306Model>},
+    {Controller::ssd1351, make_model<Ssd1351Model>},
+    {Controller::ssd0323, make_model<Ssd0323Model>},
+}};
+
+constexpr const ModelRow& model_row(Controller controller)
+{
+    return models[static_cast<std::size_t>(controller)];
+}
+
+static_assert(std::ranges::all_of(models,
+                                  [](const ModelRow& row) {
+                                      return &row == &model_row(row.controller) && row.make != nullptr;
+                                  }),
+              "one row for each Controller, in its order");
+
 }
 
 std::unique_ptr<ControllerModel> make_controller_model(const PanelSettings& settings)
 {
     check_glass(settings);
-    switch (settings.controller) {
-    case Controller::st7789:
-    case Controller::ili9341:
-    case Controller::st7735:
-    case Controller::gc9a01:
-        return std::make_unique<DcsModel>(settings);
-    case Controller::ssd1306:
-        return std::make_unique<Ssd1306Model>(settings);
-    case Controller::ssd1351:
-        return std::make_unique<Ssd1351Model>(settings);
-    case Controller::ssd0323:
-        return std::make_unique<Ssd0323Model>(settings);
-    }
-    return nullptr;
+    return model_row(settings.controller).make(settings);
 }
 
 void CommandModel::reset(std::chrono::nanoseconds time)

@@ -174,53 +174,35 @@ const Forms gc9a01_commands{
     {0xF0, 6},  {0xF1, 6},  {0xF2, 6}, {0xF3, 6},  {0xFF, 3},
 };
 
-const DcsKind st7789{.commands = with(with(every_kind, later_commands), st7789_commands),
-                     .fixed_bits = st7789_bits,
-                     .takes_12_bits = true,
-                     .has_rgb_interface = true,
-                     .is_wired_backwards = false,
-                     .reset_time = milliseconds{5},
-                     .wake_time = milliseconds{5}};
-const DcsKind ili9341{.commands = with(with(every_kind, later_commands), ili9341_commands),
-                      .fixed_bits = ili9341_bits,
-                      .takes_12_bits = false,
-                      .has_rgb_interface = true,
-                      .is_wired_backwards = true,
-                      .reset_time = milliseconds{5},
-                      .wake_time = milliseconds{5}};
-const DcsKind st7735{.commands = with(every_kind, st7735_commands),
-                     .fixed_bits = common_fixed_bits,
-                     .takes_12_bits = true,
-                     .has_rgb_interface = false,
-                     .is_wired_backwards = false,
-                     .reset_time = milliseconds{120},
-                     .wake_time = milliseconds{120}};
-const DcsKind gc9a01{.commands = with(with(every_kind, later_commands), gc9a01_commands),
-                     .fixed_bits = common_fixed_bits,
-                     .takes_12_bits = false,
-                     .has_rgb_interface = true,
-                     .is_wired_backwards = false,
-                     .reset_time = milliseconds{5},
-                     .wake_time = milliseconds{5}};
-
 }
 
-const DcsKind& dcs_kind(Controller controller)
-{
-    switch (controller) {
-    case Controller::ili9341:
-        return ili9341;
-    case Controller::st7735:
-        return st7735;
-    case Controller::gc9a01:
-        return gc9a01;
-    case Controller::st7789:
-    case Controller::ssd1306: // from here on none of the family
-    case Controller::ssd1351:
-    case Controller::ssd0323:
-        break;
-    }
-    return st7789;
-}
+const DcsKind st7789_kind{.commands = with(with(every_kind, later_commands), st7789_commands),
+                          .fixed_bits = st7789_bits,
+                          .takes_12_bits = true,
+                          .has_rgb_interface = true,
+                          .is_wired_backwards = false,
+                          .reset_time = milliseconds{5},
+                          .wake_time = milliseconds{5}};
+const DcsKind ili9341_kind{.commands = with(with(every_kind, later_commands), ili9341_commands),
+                           .fixed_bits = ili9341_bits,
+                           .takes_12_bits = false,
+                           .has_rgb_interface = true,
+                           .is_wired_backwards = true,
+                           .reset_time = milliseconds{5},
+                           .wake_time = milliseconds{5}};
+const DcsKind st7735_kind{.commands = with(every_kind, st7735_commands),
+                          .fixed_bits = common_fixed_bits,
+                          .takes_12_bits = true,
+                          .has_rgb_interface = false,
+                          .is_wired_backwards = false,
+                          .reset_time = milliseconds{120},
+                          .wake_time = milliseconds{120}};
+const DcsKind gc9a01_kind{.commands = with(with(every_kind, later_commands), gc9a01_commands),
+                          .fixed_bits = common_fixed_bits,
+                          .takes_12_bits = false,
+                          .has_rgb_interface = true,
+                          .is_wired_backwards = false,
+                          .reset_time = milliseconds{5},
+                          .wake_time = milliseconds{5}};
 
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "firmware/settings/panel_settings.hpp"
 #include "host/simulator/controller_model.hpp"
 
 #include <chrono>
@@ -34,7 +33,9 @@ struct DcsKind {
     std::chrono::milliseconds wake_time;
 };
 
-/// `controller` belongs to the family.
-const DcsKind& dcs_kind(Controller controller);
+extern const DcsKind st7789_kind;
+extern const DcsKind ili9341_kind;
+extern const DcsKind st7735_kind;
+extern const DcsKind gc9a01_kind;
 
 }

@@ -11,8 +11,8 @@ namespace kfast {
 /// the first pixel; a window is set anew after the memory access.
 class DcsModel : public CommandModel {
 public:
-    /// `settings.controller` belongs to the family.
-    explicit DcsModel(const PanelSettings& settings);
+    /// `kind` is that of `settings.controller`, and must outlive the model.
+    DcsModel(const PanelSettings& settings, const DcsKind& kind);
 
     /// In rgb565.
     Frame picture() const override;

@@ -1,7 +1,5 @@
 #include "host/simulator/ssd0323_model.hpp"
 
-#include "host/simulator/glass.hpp"
-
 #include <array>
 
 namespace kfast {
@@ -49,6 +47,8 @@ const std::vector<CommandForm> commands{
     {0xE3, 0}, // nothing
 };
 
+/// By A4h to A7h.
+constexpr std::array choices{OledShow::memory, OledShow::all_lit, OledShow::all_dark, OledShow::inverse};
 constexpr std::array needed{NeededCommand{0xA0}, NeededCommand{0xA8}};
 
 /// Counted around the rows of the memory.
@@ -57,7 +57,7 @@ constexpr int around(int row) { return (row % rows + rows) % rows; }
 }
 
 Ssd0323Model::Ssd0323Model(const PanelSettings& settings)
-    : CommandModel{commands, ParameterLine::low}, settings_{settings}, memory_(columns * rows)
+    : OledModel{commands, ParameterLine::low, settings, {columns, rows}, needed}, memory_(columns * rows)
 {
 }
 
@@ -70,28 +70,21 @@ Frame Ssd0323Model::picture() const
 std::uint32_t Ssd0323Model::level_at(int x, int y) const
 {
     const auto row = row_of(settings_.row + y);
-    if (!registers_.is_on || registers_.show == OledShow::all_dark || !row)
+    if (!oled_.is_on || oled_.show == OledShow::all_dark || !row)
         return 0;
-    if (registers_.show == OledShow::all_lit)
+    if (oled_.show == OledShow::all_lit)
         return brightest;
     const int level = memory_[static_cast<std::size_t>(*row * columns + settings_.column + x)];
-    const bool inverts = settings_.inverted != (registers_.show == OledShow::inverse);
-    return static_cast<std::uint32_t>(inverts ? brightest - level : level);
-}
-
-void Ssd0323Model::begin(std::uint8_t code)
-{
-    if (code == 0xAE && registers_.window.is_begun() && !registers_.window.is_full())
-        fail("sleep while the window waits for pixels");
+    return static_cast<std::uint32_t>(inverts() ? brightest - level : level);
 }
 
 void Ssd0323Model::execute(std::uint8_t code, Parameters parameters)
 {
     switch (code) {
     case 0x15:
-        return select(Axis::columns, parameters);
+        return select(Axis::columns, parameters, bytes_of_row);
     case 0x75:
-        return select(Axis::rows, parameters);
+        return select(Axis::rows, parameters, rows);
     case 0x81:
     case 0xA0:
     case 0xA1:
@@ -112,42 +105,29 @@ void Ssd0323Model::execute_geometry(std::uint8_t code, std::uint8_t value)
     if (value > limit || (code == 0xA8 && value < 15))
         return fail(std::to_string(value) + " is no parameter of " + hex(code));
     if (code == 0xA1)
-        registers_.start = value;
+        oled_.start = value;
     else if (code == 0xA2)
         registers_.offset = value;
     else if (code == 0xA8)
-        registers_.lines = value + 1;
+        oled_.lines = value + 1;
 }
 
 void Ssd0323Model::execute_display(std::uint8_t code)
 {
     switch (code) {
     case 0xA4:
-        registers_.show = OledShow::memory;
-        return;
     case 0xA5:
-        registers_.show = OledShow::all_lit;
-        return;
     case 0xA6:
-        registers_.show = OledShow::all_dark;
-        return;
     case 0xA7:
-        registers_.show = OledShow::inverse;
+        oled_.show = choices[code - 0xA4];
         return;
     case 0xAE:
     case 0xAF:
-        registers_.is_on = code == 0xAF;
+        oled_.is_on = code == 0xAF;
         return;
     default: // changes nothing that the picture is made of
         return;
     }
-}
-
-void Ssd0323Model::select(Axis axis, Parameters parameters)
-{
-    const int limit = axis == Axis::columns ? bytes_of_row : rows;
-    if (const auto mistake = registers_.window.set(axis, parameters[0], parameters[1], limit))
-        fail(*mistake);
 }
 
 void Ssd0323Model::set_remap(std::uint8_t remap)
@@ -161,26 +141,13 @@ void Ssd0323Model::take_pixels(std::uint8_t byte)
 {
     if (!is_ready())
         return;
-    AddressWindow& window = registers_.window;
+    AddressWindow& window = oled_.window; // its columns count bytes
     const bool is_mirrored = (registers_.remap & mirrors_bytes) != 0;
     const bool high_first = (registers_.remap & high_nibble_first) != 0;
     const int column = 2 * (is_mirrored ? bytes_of_row - 1 - window.column() : window.column());
     take_pixel(column, window.row(), high_first ? byte >> 4 : byte & 15);
     take_pixel(column + 1, window.row(), high_first ? byte & 15 : byte >> 4);
     window.advance(Axis::columns);
-}
-
-bool Ssd0323Model::is_ready()
-{
-    if (const auto code = missing(needed))
-        fail("pixels before " + hex(*code) + " was given");
-    else if (!registers_.window.is_given())
-        fail("pixels before a window is set");
-    else if (registers_.window.is_full())
-        fail("more pixels than the window holds");
-    else
-        return true;
-    return false;
 }
 
 void Ssd0323Model::take_pixel(int column, int row, int level)
@@ -197,16 +164,16 @@ std::optional<int> Ssd0323Model::row_of(int line) const
 {
     const int place = mirrored(around(settings_.glass.height - 1 - line));
     const int step = around(place + registers_.offset);
-    if (step >= registers_.lines)
+    if (step >= oled_.lines)
         return std::nullopt;
-    return around(registers_.start + step);
+    return around(oled_.start + step);
 }
 
 /// The line of the glass that shows a row, or one beyond it.
 int Ssd0323Model::line_of(int row) const
 {
-    const int step = around(row - registers_.start);
-    if (step >= registers_.lines)
+    const int step = around(row - oled_.start);
+    if (step >= oled_.lines)
         return rows;
     return around(settings_.glass.height - 1 - mirrored(around(step - registers_.offset)));
 }

@@ -1,15 +1,13 @@
 #pragma once
 
-#include "host/simulator/controller_memory.hpp"
-#include "host/simulator/controller_model.hpp"
-#include "host/simulator/glass.hpp"
+#include "host/simulator/oled_model.hpp"
 
 namespace kfast {
 
 /// Solomon SSD0323: OLED, 128 x 80 pixels of 16 greys, two in a byte. Modules are wired so that the lowest
 /// line of the glass is the controller's first. More than the maker asks: remap and lines are set before the
 /// first pixel.
-class Ssd0323Model : public CommandModel {
+class Ssd0323Model : public OledModel {
 public:
     explicit Ssd0323Model(const PanelSettings& settings);
 
@@ -18,33 +16,28 @@ public:
 
 private:
     struct Registers {
-        bool is_on = false;
         std::uint8_t remap = 0; ///< the bits of A0h
-        int lines = 80;
-        int start = 0;
         int offset = 0;
-        OledShow show = OledShow::memory;
-        AddressWindow window; ///< columns count bytes
     };
 
-    void forget() override { registers_ = {}; }
-    void begin(std::uint8_t code) override;
+    void forget() override
+    {
+        OledModel::forget();
+        registers_ = {};
+    }
     void execute(std::uint8_t code, Parameters parameters) override;
     bool writes_pixels(std::uint8_t) const override { return true; }
     void take_pixels(std::uint8_t byte) override;
 
     void execute_geometry(std::uint8_t code, std::uint8_t value);
     void execute_display(std::uint8_t code);
-    void select(AddressWindow::Axis axis, Parameters parameters);
     void set_remap(std::uint8_t remap);
-    bool is_ready();
     void take_pixel(int column, int row, int level);
     std::uint32_t level_at(int x, int y) const;
     std::optional<int> row_of(int line) const;
     int line_of(int row) const;
     int mirrored(int wire) const;
 
-    PanelSettings settings_;
     std::vector<std::uint8_t> memory_; ///< levels 0..15, row by row, not remapped
     Registers registers_;
 };

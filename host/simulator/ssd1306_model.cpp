@@ -1,7 +1,5 @@
 #include "host/simulator/ssd1306_model.hpp"
 
-#include "host/simulator/glass.hpp"
-
 #include <array>
 
 namespace kfast {
@@ -74,7 +72,7 @@ bool sets_page_place(std::uint8_t code) { return code < 0x20 || (code >= 0xB0 &&
 }
 
 Ssd1306Model::Ssd1306Model(const PanelSettings& settings)
-    : CommandModel{commands(), ParameterLine::low}, settings_{settings}, memory_(columns * rows)
+    : OledModel{commands(), ParameterLine::low, settings, {columns, rows}, needed}, memory_(columns * rows)
 {
 }
 
@@ -83,7 +81,7 @@ Frame Ssd1306Model::picture() const
     const bool inverts = settings_.inverted != registers_.inverts;
     return painted_frame<PixelFormat::mono1>(settings_.glass, [&](int x, int y) -> std::uint32_t {
         const auto row = scan().row_of(settings_.row + y);
-        if (!registers_.is_on || !row)
+        if (!oled_.is_on || !row)
             return 0;
         const bool is_set = memory_[static_cast<std::size_t>(*row * columns + settings_.column + x)];
         return registers_.is_all_lit || is_set != inverts ? 1 : 0;
@@ -97,8 +95,7 @@ void Ssd1306Model::begin(std::uint8_t code)
         fail("command " + hex(code) + " in page addressing");
     if (sets_page_place(code) && !is_paged)
         fail("command " + hex(code) + " in horizontal or vertical addressing");
-    if (code == 0xAE && registers_.window.is_begun() && !registers_.window.is_full())
-        fail("sleep while the window waits for pixels");
+    OledModel::begin(code);
     if (code == 0xAF && !registers_.has_pump)
         fail("the display is switched on before the voltage pump");
 }
@@ -116,11 +113,8 @@ void Ssd1306Model::execute_place(std::uint8_t code, Parameters parameters)
     if (code == 0x20)
         return set_addressing(parameters[0]);
     if (sets_window(code)) {
-        const Axis axis = code == 0x21 ? Axis::columns : Axis::rows;
-        const int limit = code == 0x21 ? columns : pages;
-        if (const auto mistake = registers_.window.set(axis, parameters[0], parameters[1], limit))
-            fail(*mistake);
-        return;
+        const bool is_columns = code == 0x21;
+        return select(is_columns ? Axis::columns : Axis::rows, parameters, is_columns ? columns : pages);
     }
     if (code < 0x10)
         registers_.column = (registers_.column & 0xF0) | code;
@@ -133,7 +127,7 @@ void Ssd1306Model::execute_place(std::uint8_t code, Parameters parameters)
 void Ssd1306Model::execute_geometry(std::uint8_t code, Parameters parameters)
 {
     if (code >= 0x40 && code < 0x80)
-        registers_.start = code - 0x40;
+        oled_.start = code - 0x40;
     switch (code) {
     case 0xA0:
     case 0xA1:
@@ -146,9 +140,7 @@ void Ssd1306Model::execute_geometry(std::uint8_t code, Parameters parameters)
         registers_.scans_from_first = code == 0xC0;
         return;
     case 0xD3:
-        if (parameters[0] != 0)
-            fail("a display offset of " + std::to_string(parameters[0]) + " is not modelled");
-        return;
+        return check_offset(parameters[0]);
     case 0xDA:
         return check_wiring(parameters[0]);
     default:
@@ -171,7 +163,7 @@ void Ssd1306Model::execute_display(std::uint8_t code, Parameters parameters)
         return;
     case 0xAE:
     case 0xAF:
-        registers_.is_on = code == 0xAF;
+        oled_.is_on = code == 0xAF;
         return;
     default: // changes nothing that the picture is made of
         return;
@@ -183,14 +175,7 @@ void Ssd1306Model::set_addressing(std::uint8_t mode)
     if (mode > 2)
         return fail("there is no addressing " + hex(mode));
     registers_.addressing = static_cast<Addressing>(mode);
-    registers_.window = {};
-}
-
-void Ssd1306Model::set_lines(int last)
-{
-    registers_.lines = last + 1;
-    if (last < 15 || last >= rows)
-        fail("the last line is " + std::to_string(last) + ": it lies between 15 and 63");
+    oled_.window = {};
 }
 
 void Ssd1306Model::check_wiring(std::uint8_t wiring)
@@ -207,33 +192,20 @@ void Ssd1306Model::set_pump(std::uint8_t pump)
     if ((pump & 0x3B) != 0x10)
         return fail("the voltage pump has no setting " + hex(pump));
     const bool has_pump = (pump & 4) != 0;
-    if (registers_.is_on && has_pump != registers_.has_pump)
+    if (oled_.is_on && has_pump != registers_.has_pump)
         return fail("the voltage pump is switched while the display is on");
     registers_.has_pump = has_pump;
 }
 
 void Ssd1306Model::take_pixels(std::uint8_t byte)
 {
-    if (!is_ready())
+    const AddressWindow& window = oled_.window;
+    const bool is_paged = registers_.addressing == Addressing::page;
+    if (!is_ready(is_paged || window.is_given(), is_paged ? registers_.column >= columns : window.is_full()))
         return;
-    const bool is_paged = registers_.addressing == Addressing::page;
-    take_byte(is_paged ? registers_.column : registers_.window.column(),
-              is_paged ? registers_.page : registers_.window.row(), byte);
+    take_byte(is_paged ? registers_.column : window.column(), is_paged ? registers_.page : window.row(),
+              byte);
     advance();
-}
-
-bool Ssd1306Model::is_ready()
-{
-    const bool is_paged = registers_.addressing == Addressing::page;
-    if (const auto code = missing(needed))
-        fail("pixels before " + hex(*code) + " was given");
-    else if (!is_paged && !registers_.window.is_given())
-        fail("pixels before a window is set");
-    else if (is_paged ? registers_.column >= columns : registers_.window.is_full())
-        fail("more pixels than the window holds");
-    else
-        return true;
-    return false;
 }
 
 void Ssd1306Model::take_byte(int column, int page, std::uint8_t byte)
@@ -253,15 +225,9 @@ void Ssd1306Model::advance()
     if (registers_.addressing == Addressing::page)
         ++registers_.column;
     else
-        registers_.window.advance(registers_.addressing == Addressing::vertical ? Axis::rows : Axis::columns);
+        oled_.window.advance(registers_.addressing == Addressing::vertical ? Axis::rows : Axis::columns);
 }
 
-OledScan Ssd1306Model::scan() const
-{
-    return {.memory_rows = rows,
-            .lines = registers_.lines,
-            .start = registers_.start,
-            .from_last = registers_.scans_from_first};
-}
+OledScan Ssd1306Model::scan() const { return scan_of(registers_.scans_from_first); }
 
 }

@@ -1,15 +1,14 @@
 #pragma once
 
-#include "host/simulator/controller_memory.hpp"
-#include "host/simulator/controller_model.hpp"
-#include "host/simulator/glass.hpp"
+#include "host/simulator/oled_model.hpp"
 
 namespace kfast {
 
 /// Solomon SSD1306: OLED, 128 x 64 pixels of one bit, 8 of a column in a byte, the upper one in the lowest
 /// bit. As most modules it makes its own voltage. More than the maker asks: the addressing, the lines and
-/// their wiring, the orientation and the voltage pump are set before the first pixel.
-class Ssd1306Model : public CommandModel {
+/// their wiring, the orientation and the voltage pump are set before the first pixel. The window is one of
+/// columns and pages, and without a meaning in page addressing.
+class Ssd1306Model : public OledModel {
 public:
     explicit Ssd1306Model(const PanelSettings& settings);
 
@@ -20,21 +19,21 @@ private:
     enum class Addressing { horizontal, vertical, page };
 
     struct Registers {
-        bool is_on = false;
         bool has_pump = false;
         Addressing addressing = Addressing::page;
-        AddressWindow window; ///< of columns and pages; not in page addressing
-        int page = 0;         ///< in page addressing, as is the column
+        int page = 0; ///< in page addressing, as is the column
         int column = 0;
         bool mirrors_columns = true; ///< against the module as it is mounted
         bool scans_from_first = true;
-        int lines = 64;
-        int start = 0;
         bool is_all_lit = false;
         bool inverts = false;
     };
 
-    void forget() override { registers_ = {}; }
+    void forget() override
+    {
+        OledModel::forget();
+        registers_ = {};
+    }
     void begin(std::uint8_t code) override;
     void execute(std::uint8_t code, Parameters parameters) override;
     bool writes_pixels(std::uint8_t) const override { return true; }
@@ -44,15 +43,12 @@ private:
     void execute_geometry(std::uint8_t code, Parameters parameters);
     void execute_display(std::uint8_t code, Parameters parameters);
     void set_addressing(std::uint8_t mode);
-    void set_lines(int last);
     void check_wiring(std::uint8_t wiring);
     void set_pump(std::uint8_t pump);
-    bool is_ready();
     void take_byte(int column, int page, std::uint8_t byte);
     void advance();
     OledScan scan() const;
 
-    PanelSettings settings_;
     std::vector<bool> memory_; ///< lit pixels, row by row, as the module is mounted
     Registers registers_;
 };

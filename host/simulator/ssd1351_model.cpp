@@ -1,7 +1,5 @@
 #include "host/simulator/ssd1351_model.hpp"
 
-#include "host/simulator/glass.hpp"
-
 #include <algorithm>
 #include <array>
 
@@ -61,6 +59,8 @@ const std::vector<CommandForm> commands{
 };
 
 constexpr std::array<std::uint8_t, 6> inner_commands{0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1};
+/// By A4h to A7h.
+constexpr std::array choices{OledShow::all_dark, OledShow::all_lit, OledShow::memory, OledShow::inverse};
 constexpr std::array needed{NeededCommand{0xA0}, NeededCommand{0xA2}, NeededCommand{0xCA}};
 
 StoredColour colour_of(std::uint32_t bits, int count)
@@ -74,21 +74,20 @@ StoredColour colour_of(std::uint32_t bits, int count)
 }
 
 Ssd1351Model::Ssd1351Model(const PanelSettings& settings)
-    : CommandModel{commands, ParameterLine::high}, settings_{settings}, memory_{{side, side}}
+    : OledModel{commands, ParameterLine::high, settings, {side, side}, needed}, memory_{{side, side}}
 {
 }
 
 Frame Ssd1351Model::picture() const
 {
-    const OledShow show = registers_.show;
-    const bool is_dark = !registers_.is_on || show == OledShow::all_dark;
+    const bool is_dark = !oled_.is_on || oled_.show == OledShow::all_dark;
     const ColourPath path{.swaps = settings_.bgr == ((registers_.remap & red_first) != 0),
-                          .inverts = settings_.inverted != (show == OledShow::inverse)};
+                          .inverts = inverts()};
     return painted_frame<PixelFormat::rgb565>(settings_.glass, [&](int x, int y) -> std::uint32_t {
         const auto row = scan().row_of(settings_.row + y);
         if (is_dark || !row)
             return 0;
-        return show == OledShow::all_lit ? 0xFFFF : path.rgb565(memory_.at(settings_.column + x, *row));
+        return oled_.show == OledShow::all_lit ? 0xFFFF : path.rgb565(memory_.at(settings_.column + x, *row));
     });
 }
 
@@ -100,8 +99,7 @@ void Ssd1351Model::begin(std::uint8_t code)
         fail("command " + hex(code) + " before 0xFD with 0xB1 has opened it");
     if (registers_.bit_count != 0)
         fail("command " + hex(code) + " in the middle of a pixel");
-    if (code == 0xAE && registers_.window.is_begun() && !registers_.window.is_full())
-        fail("sleep while the window waits for pixels");
+    OledModel::begin(code);
 }
 
 void Ssd1351Model::execute(std::uint8_t code, Parameters parameters)
@@ -109,10 +107,10 @@ void Ssd1351Model::execute(std::uint8_t code, Parameters parameters)
     switch (code) {
     case 0x15:
         registers_.has_new_columns = true;
-        return select(Axis::columns, parameters);
+        return select(Axis::columns, parameters, side);
     case 0x75:
         registers_.has_new_rows = true;
-        return select(Axis::rows, parameters);
+        return select(Axis::rows, parameters, side);
     case 0x5C:
         return start_writing();
     case 0xFD:
@@ -128,29 +126,21 @@ void Ssd1351Model::execute_display(std::uint8_t code, Parameters parameters)
     case 0xA0:
         return set_remap(parameters[0]);
     case 0xA1:
-        registers_.start = parameters[0];
-        if (registers_.start >= side)
-            fail("the start line is " + std::to_string(registers_.start) + ": the last one is 127");
+        oled_.start = parameters[0];
+        if (oled_.start >= side)
+            fail("the start line is " + std::to_string(oled_.start) + ": the last one is 127");
         return;
     case 0xA2:
-        if (parameters[0] != 0)
-            fail("a display offset of " + std::to_string(parameters[0]) + " is not modelled");
-        return;
+        return check_offset(parameters[0]);
     case 0xA4:
-        registers_.show = OledShow::all_dark;
-        return;
     case 0xA5:
-        registers_.show = OledShow::all_lit;
-        return;
     case 0xA6:
-        registers_.show = OledShow::memory;
-        return;
     case 0xA7:
-        registers_.show = OledShow::inverse;
+        oled_.show = choices[code - 0xA4];
         return;
     case 0xAE:
     case 0xAF:
-        registers_.is_on = code == 0xAF;
+        oled_.is_on = code == 0xAF;
         return;
     case 0xC7:
         if (parameters[0] > 15)
@@ -161,12 +151,6 @@ void Ssd1351Model::execute_display(std::uint8_t code, Parameters parameters)
     default: // changes nothing that the picture is made of
         return;
     }
-}
-
-void Ssd1351Model::select(Axis axis, Parameters parameters)
-{
-    if (const auto mistake = registers_.window.set(axis, parameters[0], parameters[1], side))
-        fail(*mistake);
 }
 
 void Ssd1351Model::start_writing()
@@ -182,13 +166,6 @@ void Ssd1351Model::set_remap(std::uint8_t remap)
     registers_.remap = remap;
     if ((remap & reserved) != 0 || (remap & splits_lines) == 0 || pixel_bits() == 0)
         fail("remap " + hex(remap) + " is not modelled");
-}
-
-void Ssd1351Model::set_lines(int last)
-{
-    registers_.lines = last + 1;
-    if (last < 15 || last >= side)
-        fail("the last line is " + std::to_string(last) + ": it lies between 15 and 127");
 }
 
 void Ssd1351Model::set_lock(std::uint8_t key)
@@ -219,20 +196,9 @@ void Ssd1351Model::take_pixels(std::uint8_t byte)
     take_pixel(colour_of(registers_.bits, pixel_bits()));
 }
 
-bool Ssd1351Model::is_ready()
-{
-    if (const auto code = missing(needed))
-        fail("pixels before " + hex(*code) + " was given");
-    else if (registers_.window.is_full())
-        fail("more pixels than the window holds");
-    else
-        return true;
-    return false;
-}
-
 void Ssd1351Model::take_pixel(StoredColour colour)
 {
-    AddressWindow& window = registers_.window;
+    AddressWindow& window = oled_.window;
     const bool is_mirrored = (registers_.remap & mirrors_columns) != 0;
     const int column = is_mirrored ? side - 1 - window.column() : window.column();
     const GlassPlace place{column, window.row(), column - settings_.column,
@@ -249,12 +215,6 @@ int Ssd1351Model::pixel_bits() const
     return depth == 1 ? 16 : depth == 2 ? 24 : 0;
 }
 
-OledScan Ssd1351Model::scan() const
-{
-    return {.memory_rows = side,
-            .lines = registers_.lines,
-            .start = registers_.start,
-            .from_last = (registers_.remap & scans_from_last) == 0};
-}
+OledScan Ssd1351Model::scan() const { return scan_of((registers_.remap & scans_from_last) == 0); }
 
 }

@@ -1,15 +1,13 @@
 #pragma once
 
-#include "host/simulator/controller_memory.hpp"
-#include "host/simulator/controller_model.hpp"
-#include "host/simulator/glass.hpp"
+#include "host/simulator/oled_model.hpp"
 
 namespace kfast {
 
 /// Solomon SSD1351: OLED, 128 x 128 pixels in colours of 16 or 18 bits. More than the maker asks: columns and
 /// rows are set again before each writing, for the controller does not always go back to their beginning;
 /// remap, lines and display offset are set before the first pixel.
-class Ssd1351Model : public CommandModel {
+class Ssd1351Model : public OledModel {
 public:
     explicit Ssd1351Model(const PanelSettings& settings);
 
@@ -18,38 +16,33 @@ public:
 
 private:
     struct Registers {
-        bool is_on = false;
-        bool is_locked = false;     ///< nothing but the lock is heard
-        bool is_inner_open = false; ///< also the commands that the lock guards of its own are heard
-        std::uint8_t remap = 0;     ///< the bits of A0h
-        int lines = 128;
-        int start = 0;
-        OledShow show = OledShow::memory;
-        AddressWindow window;
+        bool is_locked = false;       ///< nothing but the lock is heard
+        bool is_inner_open = false;   ///< also the commands that the lock guards of its own are heard
+        std::uint8_t remap = 0;       ///< the bits of A0h
         bool has_new_columns = false; ///< since the last writing
         bool has_new_rows = false;
         std::uint32_t bits = 0; ///< those of a pixel that is not whole yet
         int bit_count = 0;
     };
 
-    void forget() override { registers_ = {}; }
+    void forget() override
+    {
+        OledModel::forget();
+        registers_ = {};
+    }
     void begin(std::uint8_t code) override;
     void execute(std::uint8_t code, Parameters parameters) override;
     bool writes_pixels(std::uint8_t code) const override { return code == 0x5C; }
     void take_pixels(std::uint8_t byte) override;
 
     void execute_display(std::uint8_t code, Parameters parameters);
-    void select(AddressWindow::Axis axis, Parameters parameters);
     void start_writing();
     void set_remap(std::uint8_t remap);
-    void set_lines(int last);
     void set_lock(std::uint8_t key);
-    bool is_ready();
     void take_pixel(StoredColour colour);
     int pixel_bits() const;
     OledScan scan() const;
 
-    PanelSettings settings_;
     ColourMemory memory_;
     Registers registers_;
 };

@@ -1,5 +1,6 @@
 #include "firmware/settings/board_record.hpp"
 
+#include "firmware/settings/controller_facts.hpp"
 #include "tests/bytes.hpp"
 
 #include <doctest/doctest.h>
