@@ -24,15 +24,15 @@ constexpr Display default_display(Controller controller)
             .rated_spi = static_cast<double>(facts.spi_hz)};
 }
 
-/// Its clock is not known from the maker himself (firmware/settings/controller_facts.hpp).
+/// Its clock is not known from the maker (firmware/settings/controller_facts.hpp).
 constexpr Display unrated(Display display)
 {
     display.rated_spi = 0;
     return display;
 }
 
-/// Sizes are those of the usual glass. The byte order of colours is that of an 8-bit bus. Of those without a
-/// driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
+/// Sizes are those of the most common glass. The byte order of colours is that of an 8-bit bus. For those
+/// without a driver in firmware/panel/, clocks are the write cycles of the makers' tables too.
 constexpr std::array known_displays{
     unrated(default_display(Controller::gc9a01)),
     default_display(Controller::ili9341),
