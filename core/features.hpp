@@ -15,7 +15,7 @@ namespace kfast {
 enum class Feature : std::uint8_t {
     strokes,   ///< lines and outlines, drawn with a pen
     tweens,    ///< drawings that change from key to key
-    bones,     ///< skeletons, and drawings that they carry
+    bones,     ///< skeletons, and drawings that they deform
     backbones, ///< drawings that bend along a line
     depth,     ///< rotate-x, rotate-y and z, seen in perspective
     wires,     ///< wire frames, whose points have depths of their own
@@ -27,7 +27,7 @@ enum class Feature : std::uint8_t {
 
 inline constexpr std::size_t feature_count = 10;
 
-/// Why a program that has not the feature refuses a scene that needs it.
+/// The error of a program that has not the feature, for a scene that needs it.
 constexpr Error error_without(Feature feature)
 {
     return static_cast<Error>(static_cast<int>(Error::needs_strokes) + static_cast<int>(feature));
@@ -66,7 +66,7 @@ struct DrawingFeature;
 ///     constexpr kfast::Features features{.strokes = &kfast_strokes};
 ///     const auto scene = kfast::SceneView::parse(bytes, features);
 ///
-/// `kfast info` tells what a scene needs, `kfast export --header` writes it as such a constant.
+/// `kfast info` prints what a scene needs, `kfast export --header` writes it as such a constant.
 struct Features {
     const StrokeFeature* strokes = nullptr;
     const TweenFeature* tweens = nullptr;
@@ -82,9 +82,9 @@ struct Features {
     constexpr bool has(Feature feature) const;
 };
 
-/// All of them: what plays any scene. Whoever names it links the whole player.
+/// All features: they play any scene. A program that names it links the whole player.
 extern const Features every_feature;
-/// All of them without what draws outlines for a panel: to look whether a scene is sound, and for beams,
+/// All features without what draws outlines for a panel: to check whether a scene is valid, and for beams,
 /// which trace it themselves.
 extern const Features every_feature_but_outlines;
 
@@ -211,7 +211,7 @@ struct DrawingFeature {
 
 }
 
-// The code of each, under names that C has, too.
+// The code of each feature, under names that C has, too.
 // NOLINTBEGIN(readability-redundant-declaration): library/kfast.h is C and declares them itself
 extern "C" {
 extern const kfast::StrokeFeature kfast_strokes;

@@ -13,7 +13,7 @@ namespace kfast {
 namespace {
 
 constexpr std::uint32_t magic = 'K' | 'F' << 8 | 'B' << 16;
-constexpr std::size_t checksum_end = 8; ///< the checksum covers everything behind itself
+constexpr std::size_t checksum_end = 8; ///< the checksum covers everything after itself
 
 constexpr std::uint32_t loop_bits = 3;
 constexpr std::uint32_t camera_bit = 1 << 2;
@@ -42,14 +42,14 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
 [[gnu::cold]] Result<SceneView> SceneView::parse(std::span<const std::byte> bytes, const Features& features,
                                                  std::uint32_t* item)
 {
-    Result<SceneView> scene{std::in_place, Unread{}}; // in its place at once, for a small stack
+    Result<SceneView> scene{std::in_place, Unread{}}; // constructed in place, for a small stack
     scene->features_ = features;
     if (const auto error = scene->read(bytes, item))
         scene.fail(*error);
     return scene;
 }
 
-/// Why it cannot be played.
+/// Returns why the scene cannot be played.
 [[gnu::cold]] std::optional<Error> SceneView::read(std::span<const std::byte> bytes, std::uint32_t* item)
 {
     ByteReader reader{bytes};
@@ -76,7 +76,7 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
     return cost_ == PictureCost::max ? std::optional{Error::too_slow} : std::nullopt;
 }
 
-/// Few scenes have many symbols: only for these it takes 3 KB more of the stack.
+/// Few scenes have many symbols: only these take 3 KB more of the stack.
 [[gnu::cold]] std::optional<Error> SceneView::check(std::uint32_t* item)
 {
     constexpr std::size_t few = 12;
@@ -100,7 +100,7 @@ template <std::size_t symbols>
     return passes ? std::nullopt : std::optional{check.error()};
 }
 
-/// What it takes to be laid out. Whether that is no more than the format holds.
+/// Counts what a scene needs when it is laid out. Returns whether that is no more than the format allows.
 [[gnu::cold, gnu::noinline]] bool SceneView::count_records()
 {
     Preparer preparer{*this, {}};

@@ -8,7 +8,7 @@
 namespace kfast {
 namespace {
 
-/// What `bytes` for lengths on the canvas are for those on a panel: as many times more as it is larger.
+/// Scales `bytes` for lengths on the canvas to those on a panel: as many times more as it is larger.
 std::size_t scaled_to_panel(std::size_t bytes, Size canvas, Size panel)
 {
     const auto scaled = [bytes](int to, int from) {
@@ -26,7 +26,7 @@ std::size_t record_bytes(const SceneView& scene, Size panel)
                     static_cast<std::size_t>(panel.height) * 36);
 }
 
-/// Nothing if nothing is kept from picture to picture.
+/// 0 if nothing is kept from picture to picture.
 std::size_t cache_bytes(const SceneView& scene, Size panel)
 {
     return scene.cache_bytes() == 0 ? 0 : scaled_to_panel(scene.cache_bytes(), scene.canvas(), panel);
@@ -56,7 +56,7 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
     return Result<Player>{std::in_place, scene, panel, fit, block.first(bytes)};
 }
 
-/// What moves lies at the end, for it has any number of bytes.
+/// What moves is at the end, as it can have any number of bytes.
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
     : SceneState{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
       renderer_{needs_of(scene, panel), panel, scene.colour(0), block.first(block.size() - bytes_for(scene))}
@@ -75,7 +75,7 @@ void Player::show_moment(Time moment)
         trace();
 }
 
-/// The moment to which it was moved.
+/// Traces the scene at the time to which it was moved.
 void Player::trace()
 {
     pose_bones();

@@ -18,7 +18,7 @@ namespace kfast {
 
 using raster::Change;
 
-/// Draws any moment of a scene, rows from the top down, in memory that the caller lends.
+/// Draws a scene at any time, rows from the top down, in memory that the caller lends.
 ///
 /// The picture depends on scene, time, inputs, fit and panel size alone: not on earlier pictures, nor on how
 /// its rows are divided into bands or areas.
@@ -30,7 +30,7 @@ public:
     /// Bytes that create() must be lent: enough for every time of the scene.
     static std::size_t block_bytes(const SceneView& scene, Size panel);
 
-    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player, which is not moved any more
+    /// `scene`'s bytes and `block` (aligned to 4 bytes) must outlive the player, which must not be moved
     /// once it has drawn. Fails with block_too_small.
     static Result<Player> create(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block);
 
@@ -39,7 +39,7 @@ public:
                                         std::span<std::byte> block);
 
     /// Computes the outlines of the picture at `time`. Any time is allowed: the scene's loop mode decides
-    /// what it stands for.
+    /// what it represents.
     void show(Time time);
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
@@ -52,22 +52,22 @@ public:
 
     /// Draws the next areas in which the picture differs from the last one that was drawn in this way, as
     /// many as find room in `pixels`, which has room for granularity.height whole rows and is aligned as for
-    /// draw_rows(); none when all is drawn. At first, and after redraw(), that is the whole panel. Places and
-    /// sizes of areas are multiples of `granularity`, which holds whole bytes, except that an area may end
-    /// with the panel; `area_bytes` is what each area costs besides its pixels. What is returned holds until
+    /// draw_rows(); none when all is drawn. At first, and after redraw(), that is the whole panel. Positions
+    /// and sizes of areas are multiples of `granularity`, which holds whole bytes, except that an area may
+    /// end with the panel; `area_bytes` is what each area costs besides its pixels. The result is valid until
     /// the next call.
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
-    /// What the panel shows is not known any more.
+    /// From now on, what the panel shows is not known.
     void redraw();
 
     Size panel() const { return panel_; }
     /// The picture that show() has computed.
     const raster::Picture& picture() const { return renderer_.picture(); }
-    /// For want of room in the block its curves are coarser, or parts of it are missing.
+    /// Whether, for want of room in the block, its curves are coarser, or parts of it are missing.
     bool is_coarse() const { return picture().is_coarse(); }
-    /// How much of what the panel shows is not known, once draw_changes() has drawn it: for want of room,
-    /// these bands of rows are drawn whole the next time.
+    /// The number of bands of rows of which it is not known what the panel shows, once draw_changes() has
+    /// drawn it: for want of room, they are drawn whole the next time.
     int unrecorded_bands() const { return renderer_.unrecorded_bands(); }
 
 private:

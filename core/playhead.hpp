@@ -8,37 +8,37 @@
 
 namespace kfast {
 
-/// Where playing stands, and what it passes on its way. It counts within one turn and so can run for ever.
+/// The position of playing, and the events that it passes. It counts within one round: it can run for ever.
 ///
 /// An event is passed when playing arrives at its time, from either side, and once for each arrival: not
-/// again when playing goes on from there, nor when it turns there. Where it is put down, at first and by
-/// seek(), it arrives with the next advance(). So the events that are reported depend on the way alone, not
-/// on how it is divided into advances. A repeating stretch ends and begins at one moment, which looks like
+/// again when playing goes on from there, nor when it reverses there. At a position that is set, at first or
+/// by seek(), it arrives with the next advance(). So the events that are reported depend on the path alone,
+/// not on how it is divided into advances. A repeating range ends and begins at one time, which looks like
 /// the beginning: forwards the events at the end are passed first, then those at the beginning; backwards it
-/// is the other way round. Events outside the stretch are not passed.
+/// is the other way round. Events outside the range are not passed.
 class Playhead {
 public:
     static constexpr std::int32_t as_authored = 1 << 16;
     static constexpr std::int32_t fastest = 16 * as_authored;
 
-    /// Puts it down at the beginning, to run as authored. What `events` reads must outlive the playhead.
+    /// Sets it to the beginning, to run as authored. What `events` reads must outlive the playhead.
     Playhead(const PlayRange& stretch, EventCursor events);
     /// For the whole scene, whose bytes must outlive the playhead.
     explicit Playhead(const SceneView& scene) : Playhead{play_range_of(scene), scene.events()} {}
 
     const PlayRange& stretch() const { return stretch_; }
-    /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 stands.
+    /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 is a stop.
     std::int32_t speed() const { return speed_; }
     void set_speed(std::int32_t speed) { speed_ = speed; }
 
-    /// Puts it down at any moment of the timeline; what lies outside the stretch is brought in by its loop:
-    /// in `ping_pong`, a moment behind the end is one of the way back. Reports nothing itself.
+    /// Sets it to any time of the timeline; a time outside the range is mapped into it by its loop:
+    /// in `ping_pong`, a time after the end is one of the way back. Reports nothing itself.
     void seek(Time moment);
 
-    /// Lets `ticks` of the scene's clock pass, 0 … 2^40, and calls report(const EventView&) for every event
+    /// Lets `ticks` of the scene's time pass, 0 … 2^40, and calls report(const EventView&) for every event
     /// on the way, in the order of passing; of events at one time, the first first, and backwards the last
     /// first. Fractions of a tick are carried along. Reads the list of events from its beginning, once for
-    /// each turn and backwards once for each event to report.
+    /// each round and backwards once for each event to report.
     template <class Report>
     void advance(std::int64_t ticks, Report&& report);
     void advance(std::int64_t ticks)
@@ -46,7 +46,7 @@ public:
         advance(ticks, [](const EventView&) {});
     }
 
-    /// What is to be shown, rounded down to a tick: within the stretch, its ends included.
+    /// The time to be shown, rounded down to a tick: within the range, its ends included.
     Time moment() const { return {floor(place_)}; }
     /// Whether it is on the way back of `ping_pong`.
     bool returning() const { return returning_; }
@@ -70,14 +70,14 @@ private:
     /// The end that it runs to.
     Position goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
     Position distance_in(std::int64_t ticks) const;
-    /// How far it comes on `distance` without a turn.
+    /// How far it goes on `distance` without a reversal.
     Position next_stop(Position distance) const;
-    /// Where it arrives on the way to `place`: without the place where it stands.
+    /// Where it arrives on the way to `place`: without the position where it is.
     Ticks ticks_to(Position place) const;
     /// The events from tick `first` on.
     EventCursor events_from(std::int32_t first) const;
     std::int32_t count(Ticks ticks) const;
-    /// Counted from 1.
+    /// The event with a number that is counted from 1.
     static EventView nth(EventCursor events, std::int32_t number);
 
     template <class Report>
@@ -110,7 +110,7 @@ void Playhead::advance(std::int64_t ticks, Report&& report)
         place_ = stop;
         if (finished())
             return;
-        // Forwards a repeating stretch cannot stand at its end, which looks like its beginning.
+        // Forwards a repeating range cannot be at its end, which looks like its beginning.
         if (place_ == goal() && (distance > 0 || !runs_back()))
             turn(report);
     }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t opaque = 255;
 
-/// Whether it moves, bends or widens something.
+/// Whether the property moves, bends or widens something.
 bool shapes(Property property) { return places_item(property) || property == Property::width; }
 
 }
@@ -45,7 +45,7 @@ SceneWalk::Step SceneWalk::next()
     }
 }
 
-/// Whether it is seen.
+/// Returns whether it is visible.
 bool SceneWalk::enter(const Node& node)
 {
     const WalkLevel& outer = *top_;
@@ -103,7 +103,7 @@ void SceneWalk::begin_inside(WalkLevel& level) const
     level.next_order = no_order;
 }
 
-/// Null behind the last one.
+/// Null after the last one.
 const Node* SceneWalk::next_in(WalkLevel& level) const
 {
     if (level.is_ordered)
@@ -116,7 +116,7 @@ const Node* SceneWalk::next_in(WalkLevel& level) const
 }
 
 /// The lowest order first, and of equals the first: they are passed once for each order that they have at the
-/// moment.
+/// time.
 const Node* SceneWalk::next_by_order(WalkLevel& level) const
 {
     for (;;) {

@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// Walks through what is seen of a scene at a moment, in the order of painting: leaves, and where groups,
+/// Walks through what is visible in a scene at a time, in the order of painting: leaves, and where groups,
 /// uses and leaves that are blended as a whole begin and end.
 ///
 ///     root ┬ sky                            leaf sky
@@ -25,40 +25,40 @@ public:
     /// What opacities of groups apply to: their finished pictures, or each leaf inside.
     enum class Opacity : std::uint8_t { of_groups, of_leaves };
 
-    /// `on_panel` has been moved to a moment; it must outlive the walk, which uses its room for levels and
+    /// `on_panel` has been moved to a time; it must outlive the walk, which uses its room for levels and
     /// spaces.
     SceneWalk(const SceneOnPanel& on_panel, Opacity opacity);
 
     Step next();
 
-    // Of what the last step was about.
+    // About the item of the last step.
 
     const Node& node() const { return node_of(*current_); }
     ItemState state() const { return {on_panel_.scene, on_panel_.prepared, node()}; }
-    /// Tells it apart (core/scene/item_view.hpp).
+    /// Identifies the item (core/scene/item_view.hpp).
     std::uint32_t path() const { return current_->path; }
-    /// What applies to the colours of a leaf.
+    /// The opacity that applies to the colours of a leaf.
     std::uint32_t leaf_opacity() const { return inner_opacity(*current_); }
-    /// What applies to the picture of a group, or of a leaf that is blended as one.
+    /// The opacity that applies to the picture of a group, or of a leaf that is blended as one.
     std::uint32_t group_opacity() const { return current_->opacity; }
-    /// What moves it as a whole or widens it: its tracks and those around it.
+    /// What its place depends on: what moves it as a whole or widens it, its tracks and those around it.
     const Dependence& place_dependence() const { return current_->dependence; }
-    /// Of a leaf: likewise, and what bends it.
+    /// For a leaf: what its place depends on, and what bends it.
     const Dependence& leaf_dependence() const { return leaf_dependence_; }
     /// From its own coordinates to the panel; computed when it is first asked for.
     const Space& space();
-    /// It and the groups and uses around it, the outermost first: that of the level 0 … depth() - 1.
+    /// The item and the groups and uses around it, the outermost first: the one of the level 0 … depth() - 1.
     const Node& node(std::size_t level) const { return node_of(levels()[level + 1]); }
     std::size_t depth() const { return static_cast<std::size_t>(current_ - levels()); }
 
-    /// On what the whole picture depends, as far as it was walked through: all tracks of what is seen, and of
-    /// what is not those that could show it.
+    /// What the whole picture depends on, as far as it was walked through: all tracks of what is visible, and
+    /// of what is not those that could show it.
     const Dependence& whole() const { return whole_; }
 
 private:
     static constexpr std::int32_t no_order = std::numeric_limits<std::int32_t>::max();
 
-    /// What applies to the colours of what lies within it.
+    /// The opacity that applies to the colours of what is within it.
     static std::uint32_t inner_opacity(const WalkLevel& level)
     {
         return level.is_blended ? 255 : level.opacity;

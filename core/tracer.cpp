@@ -40,7 +40,7 @@ void Tracer::run()
     }
 }
 
-/// After OutlineStore::keep() or clear().
+/// Called after OutlineStore::keep() or clear().
 void Tracer::trace_scene()
 {
     using Step = SceneWalk::Step;
@@ -73,7 +73,7 @@ void Tracer::trace_leaf(SceneWalk& walk)
     trace_live(walk);
 }
 
-/// If all layers of a leaf are kept, nothing else has to be known of it.
+/// If all layers of a leaf are kept, nothing else has to be known about it.
 bool Tracer::reuse_layers(const SceneWalk& walk)
 {
     const raster::OutlineStore& outlines = picture_.outlines;
@@ -149,7 +149,7 @@ void Tracer::trace_rigid(const ObjectStrokes& strokes, const Pen* pen, const Rig
     picture_.outlines.end_placed();
 }
 
-/// Points come as they are seen, and lines stay straight.
+/// Points are projected already, and lines stay straight.
 void Tracer::trace_wires(const ObjectStrokes& strokes, SceneWalk& walk)
 {
     const ItemState state = walk.state();
@@ -221,7 +221,7 @@ void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_poi
         [&] { return projection.scale_factor_at(first_point()); }, trace);
 }
 
-/// scale_factor() is by what the pen grows.
+/// scale_factor() is the scale of the pen.
 void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
                         FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace)
 {
@@ -249,7 +249,7 @@ void Tracer::add_rigid_layers(SceneWalk& walk, const RigidPlacement& placement,
     add_layer(Part::stroke, walk, [&] { trace(&pen); });
 }
 
-/// Contours that trace(upright placement, outline) adds.
+/// Adds contours that trace(upright placement, outline) makes.
 void Tracer::trace_upright(const RigidPlacement& placement, const Pen* pen, TraceStrokes trace)
 {
     ObjectOutline outline{picture_.outlines, ViewProjection{nullptr, picture_.coarseness}};

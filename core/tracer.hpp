@@ -16,11 +16,11 @@
 
 namespace kfast {
 
-/// The outlines of all that is to be seen of a scene at the moment to which it was moved, in the order of
+/// The outlines of everything visible in a scene at the time to which it was moved, in the order of
 /// painting.
 class Tracer {
 public:
-    /// The bones of the scene have been posed.
+    /// The bones of the scene must have been posed.
     Tracer(const SceneOnPanel& scene, raster::Picture& picture) : on_panel_{scene}, picture_{picture} {}
 
     /// Reuses the layers whose outlines have not changed since the last picture. Curves are coarser if the
@@ -39,7 +39,7 @@ public:
     void add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
 
 private:
-    /// Of an item, each a layer.
+    /// The parts of an item, each a layer.
     enum class Part : std::uint8_t { fill, stroke };
 
     static constexpr std::uint8_t coarsest = 8;

@@ -12,7 +12,7 @@ struct kfast_player {
     kfast::Playback playback;
 };
 
-// Whoever lent the block takes it back without asking.
+// The caller takes back the block without asking.
 static_assert(std::is_trivially_destructible_v<kfast_player>);
 
 namespace {
@@ -104,10 +104,10 @@ constexpr std::array error_texts{
 };
 static_assert(error_texts.size() == KFAST_NEEDS_DRAWINGS + 1 && code_of(Error::block_too_small) == 6);
 
-/// Bytes of the block before the player, at most: its alignment is not known before.
+/// The maximum of bytes of the block before the player: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;
 
-/// Where a player may lie, and what is left for its animation; nothing if there is not that much.
+/// Where a player may be, and what is left for its animation; nothing if there is not that much.
 struct Room {
     void* player = nullptr;
     std::span<std::byte> rest;
@@ -157,7 +157,7 @@ kfast_error create_in(const Room& room, std::span<const std::byte> scene, Size p
     return KFAST_OK;
 }
 
-/// Whether there was room for all of it.
+/// Returns whether there was room for all of it.
 bool set_strokes(kfast::InputDrawing drawing, const kfast_point* points,
                  std::span<const std::uint16_t> strokes)
 {

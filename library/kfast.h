@@ -1,6 +1,6 @@
-/* KFAST for C, and for whatever can call C: a compiled scene on a display that something else drives.
+/* KFAST for C, and for everything that can call C: a compiled scene on a display that something else drives.
  *
- * A player lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no
+ * A player is in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no
  * clock and no thread behind it. A NULL where a pointer is needed is an error like any other, so that a
  * player that could not be made may be used without harm. docs/library.md shows a whole program; kfast.hpp is
  * the same in C++. */
@@ -81,8 +81,8 @@ const char* kfast_error_text(kfast_error error);
 /* A scene that plays: in the lent block, as long as that stays where it is. */
 typedef struct kfast_player kfast_player;
 
-/* Bytes that kfast_create() must be lent for a panel of this size, for every moment of the scene. 0 if the
- * scene or the size is wrong; kfast_create() says what. */
+/* Bytes that kfast_create() must be lent for a panel of this size, for every time of the scene. 0 if the
+ * scene or the size is not valid; kfast_create() returns the reason. */
 size_t kfast_block_bytes(const void* scene, size_t scene_bytes, int width, int height);
 
 /* Makes a player for the scene that `kfast compile` or `kfast export` wrote, at its beginning. The scene and
@@ -139,13 +139,13 @@ kfast_error kfast_choose_clip(kfast_player* player, const char* name);
 #define KFAST_FRAME INT32_C(1024)
 
 /* Sets an input of the scene, such as where the eyes look, from the next kfast_show() or kfast_update() on:
- * to `value` in 1/1000 of what the scene counts it in (500 is 0.5), held within the input's range. At first
- * inputs have the usual values that the scene gives them. If there is no such input, nothing changes. */
+ * to `value` in 1/1000 of what the scene counts it in (500 is 0.5), clamped to the input's range. At first
+ * inputs have the default values that the scene gives them. If there is no such input, nothing changes. */
 kfast_error kfast_set_input(kfast_player* player, const char* name, int32_t value);
 
-/* Tells a text that is an input of the scene, in UTF-8, from the next kfast_show() or kfast_update() on.
- * Characters that the scene has no letters for are left out, and so are those beyond the most that the input
- * takes. At first a text is the usual one. If there is no such input, nothing changes. */
+/* Sets a text that is an input of the scene, in UTF-8, from the next kfast_show() or kfast_update() on.
+ * Characters that the scene has no letters for are left out, and so are those beyond the maximum of the
+ * input. At first a text is the default one. If there is no such input, nothing changes. */
 kfast_error kfast_set_text(kfast_player* player, const char* name, const char* text);
 
 /* A point of a drawing, in 1/16 pixel of the objects that show it; y points down. */
@@ -156,46 +156,46 @@ typedef struct kfast_point {
 
 /* Sets a drawing among the inputs of the scene, such as a curve that is measured, from the next kfast_show()
  * or kfast_update() on: to as many strokes as `strokes`, of stroke_points[0], stroke_points[1], ... points,
- * which lie one after another in `points`. A stroke is closed if it ends where it begins. All is copied. No
- * strokes are the empty drawing. If there is no such drawing, or if it takes less, nothing changes. */
+ * which are one after another in `points`. A stroke is closed if it ends where it begins. All is copied. No
+ * strokes are the empty drawing. If there is no such drawing, or if it takes fewer, nothing changes. */
 kfast_error kfast_set_drawing(kfast_player* player, const char* name, const kfast_point* points,
                               const uint16_t* stroke_points, size_t strokes);
 
 /* Computes the picture at this time. Any time is allowed: the loop of the scene or clip decides what it
- * stands for. */
+ * represents. */
 kfast_error kfast_show(kfast_player* player, int32_t time);
 
-/* As kfast_show(), after so many milliseconds; rounded down to 1/1024 frame. */
+/* As kfast_show(), after that many milliseconds; rounded down to 1/1024 frame. */
 kfast_error kfast_show_after(kfast_player* player, uint32_t milliseconds);
 
-/* An event of the scene that is passed: the bytes of its name in UTF-8, with no 0 behind them. */
+/* An event of the scene that is passed: the bytes of its name in UTF-8, with no 0 after them. */
 typedef void (*kfast_event_passed)(const char* name, size_t bytes, void* user);
 
 /* Plays by a clock of yours, one whole frame of the scene after another: computes the picture for when it
- * shows so many milliseconds, and tells the events that were passed since the call before (event_passed may
- * be NULL). The first call, and the first one after kfast_choose_clip(), is the beginning. The clock may run
- * over 2^32. Whether there is something to be drawn: 1, or 0 if the frame is the same and nothing was set. */
+ * shows this many milliseconds, and reports the events that were passed since the call before (event_passed
+ * may be NULL). The first call, and the first one after kfast_choose_clip(), is the beginning. The clock may
+ * run over 2^32. Returns 1 if there is something to draw, 0 if the frame is the same and nothing was set. */
 int kfast_update(kfast_player* player, uint32_t milliseconds, kfast_event_passed event_passed, void* user);
 
-/* Whether what kfast_update() plays has come to its end, as a clip does that plays once: 1 or 0. */
+/* Whether what kfast_update() plays has reached its end, as a clip does that plays once: 1 or 0. */
 int kfast_finished(const kfast_player* player);
 
 /* Whether the picture is drawn with coarser curves, or not wholly, because the block has no room for all of
- * its outlines: 1 or 0. kfast info and kfast fit tell beforehand. */
+ * its outlines: 1 or 0. kfast info and kfast fit report it beforehand. */
 int kfast_is_coarse(const kfast_player* player);
 
 /* Takes the pixels of one rectangle: its rows from the top down, each of them starting on a byte. They are
  * gone after the call. */
 typedef void (*kfast_draw_rectangle)(int x, int y, int width, int height, const void* pixels, void* user);
 
-/* Hands out the rectangles in which the picture differs from what was drawn before, in whatever format; at
+/* Hands out the rectangles in which the picture differs from what was drawn before, in any format; at
  * first, and after kfast_redraw(), that is the whole panel. Where pixels share bytes, rectangles begin and
  * end in columns that are multiples of 2 (rgb444, grey4) or 8 (mono1, mono1_dithered), or end with the panel:
- * what is left of the last byte of a row then means nothing.
+ * the rest of the last byte of a row then means nothing.
  *
  * The buffer is where the pixels are drawn; the larger, the fewer the calls. KFAST_OK, or
  * KFAST_BUFFER_TOO_SMALL with nothing drawn: it must hold a row of the panel, and for rgb565 and rgb565_be a
- * byte more if it begins at an odd address, for their pixels lie at even ones.
+ * byte more if it begins at an odd address, for their pixels are at even ones.
  *
  *     rgb565          2 bytes a pixel, little-endian, red in the highest 5 bits
  *     rgb565_be       the same with the high byte first, as LCDs on SPI take it
@@ -219,7 +219,7 @@ kfast_error kfast_draw_mono1(kfast_player* player, void* buffer, size_t buffer_b
 kfast_error kfast_draw_mono1_dithered(kfast_player* player, void* buffer, size_t buffer_bytes,
                                       kfast_draw_rectangle draw_rectangle, void* user);
 
-/* The display shows something else by now: the next drawing hands out the whole panel. */
+/* The display shows something else now: the next drawing hands out the whole panel. */
 kfast_error kfast_redraw(kfast_player* player);
 
 #ifdef __cplusplus

@@ -14,11 +14,11 @@ namespace kfast {
 
 /// A compiled scene on a display that something else drives: a framework, a driver of your own.
 ///
-/// It lives in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no clock
-/// and no thread behind it. It is not moved any more once it has drawn.
+/// It is in memory that you lend, and hands out rectangles of finished pixels. There is no heap, no clock
+/// and no thread behind it. It must not be moved once it has drawn.
 class Animation {
 public:
-    /// Bytes that create() must be lent, for every moment of the scene. `scene` holds what `kfast compile` or
+    /// Bytes that create() must be lent, for every time of the scene. `scene` holds what `kfast compile` or
     /// `kfast export` wrote; the sides of the panel are 1 … Player::max_panel.
     /// Fails as SceneView::parse does.
     static Result<std::size_t> block_bytes(std::span<const std::byte> scene, Size panel,
@@ -43,7 +43,7 @@ public:
         return Animation{*view, panel, fit, block};
     }
 
-    /// In its place at once, for a small stack: what create() returns is copied. `scene` was parsed, and
+    /// Constructs it in place, for a small stack: what create() returns is copied. `scene` was parsed, and
     /// `block` has Player::block_bytes() for it or more.
     Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
         : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))}, stretch_{play_range_of(
@@ -51,8 +51,8 @@ public:
     {
     }
 
-    /// What show() counts from: a clip, or the whole scene again. A clip that the scene has not changes
-    /// nothing, and the answer is false.
+    /// Sets what show() counts from: a clip, or the whole scene again. A clip that the scene has not changes
+    /// nothing, and the result is false.
     bool choose_clip(std::string_view name)
     {
         const auto clip = scene().clip(name);
@@ -63,8 +63,8 @@ public:
     void choose_scene() { stretch_ = play_range_of(scene()); }
 
     /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
-    /// in, held within the input's range. At first inputs have their usual values. A number that
-    /// the scene has not among its inputs changes nothing, and the answer is false.
+    /// in, clamped to the input's range. At first inputs have their default values. A number that
+    /// the scene has not among its inputs changes nothing, and the result is false.
     bool set_input(std::string_view name, std::int32_t value)
     {
         return with_input(name, InputType::number, [&](std::uint32_t number, const InputView& input) {
@@ -72,8 +72,8 @@ public:
         });
     }
 
-    /// Tells a text that is an input of the scene, in UTF-8, from the next show() on. Characters that the
-    /// scene has no letters for are left out, and so are those beyond the most that the input takes.
+    /// Sets a text that is an input of the scene, in UTF-8, from the next show() on. Characters that the
+    /// scene has no letters for are left out, and so are those beyond the maximum of the input.
     /// Otherwise as set_input().
     bool set_text(std::string_view name, std::string_view text)
     {
@@ -83,20 +83,20 @@ public:
 
     /// Sets a drawing among the inputs of the scene, from the next show() on: to `strokes`, their points in
     /// 1/16 px of the objects that show it. If there is no such drawing, or if it takes fewer strokes or
-    /// points, nothing changes, and the answer is false.
+    /// points, nothing changes, and the result is false.
     bool set_drawing(std::string_view name, std::span<const InputStroke> strokes)
     {
         const auto number = input(name, InputType::drawing);
         return number && player_.set_drawing(*number, strokes);
     }
-    /// For telling a drawing point by point; what is next is shown by show_next_drawing(name) alone. None if
+    /// For setting a drawing point by point; it is shown by show_next_drawing(name) only. None if
     /// the scene has no such drawing.
     std::optional<InputDrawing> drawing(std::string_view name) const
     {
         const auto number = input(name, InputType::drawing);
         return number ? std::optional{player_.drawing(*number)} : std::nullopt;
     }
-    /// From the next show() on. What the scene has not changes nothing.
+    /// Shows it from the next show() on. A drawing that the scene has not changes nothing.
     void show_next_drawing(std::string_view name)
     {
         if (const auto number = input(name, InputType::drawing))
@@ -104,14 +104,14 @@ public:
     }
 
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
-    /// its loop decides what it stands for.
+    /// its loop decides what it represents.
     void show(Time time) { show_moment(stretch_.begin + wrap(time, stretch_.length(), stretch_.loop)); }
 
-    /// Computes the picture of a moment of the whole timeline, whatever was chosen: 0 … the length of the
+    /// Computes the picture at a time of the whole timeline, whatever was chosen: 0 … the length of the
     /// scene.
     void show_moment(Time moment) { player_.show_moment(moment); }
 
-    /// As show(), after so many milliseconds; rounded down to 1/1024 frame.
+    /// As show(), after that many milliseconds; rounded down to 1/1024 frame.
     void show_after(std::uint32_t milliseconds)
     {
         const std::uint64_t ticks =
@@ -121,15 +121,15 @@ public:
                                                                     : ticks % turn)});
     }
 
-    /// Hands out the areas in which the picture differs from what was drawn before, in whatever format; at
+    /// Hands out the areas in which the picture differs from what was drawn before, in any format; at
     /// first, and after redraw(), that is the whole panel. Calls
     /// draw_rectangle(Rect area, std::span<const std::byte> pixels) for each area: its rows from the top
     /// down, row_bytes(format, area.width) each. An area begins and ends in columns that are multiples of
-    /// pixels_in_whole_bytes(format), or ends with the panel: what is left of the last byte of a row then
+    /// pixels_in_whole_bytes(format), or ends with the panel: the rest of the last byte of a row then
     /// means nothing.
     ///
-    /// `buffer` is where the pixels are drawn; the larger, the fewer the calls. False, and nothing is drawn,
-    /// if it does not hold a row of the panel; of a format of 16 bits, from an even address on.
+    /// `buffer` is where the pixels are drawn; the larger, the fewer the calls. Returns false, and draws
+    /// nothing, if it does not hold a row of the panel; for a format of 16 bits, from an even address on.
     template <PixelFormat format, class DrawRectangle>
     bool draw(std::span<std::byte> buffer, DrawRectangle&& draw_rectangle)
     {
@@ -147,17 +147,17 @@ public:
         }
     }
 
-    /// For want of room in the block the picture's curves are coarser, or parts of it are missing.
+    /// Whether, for want of room in the block, the picture's curves are coarser, or parts of it are missing.
     bool is_coarse() const { return player_.is_coarse(); }
 
-    /// The display shows something else by now: the next draw() hands out the whole panel.
+    /// The display shows something else now: the next draw() hands out the whole panel.
     void redraw() { player_.redraw(); }
 
     const SceneView& scene() const { return player_.scene(); }
     Size panel() const { return player_.panel(); }
 
 private:
-    /// Calls visit(number, input) for the first input of that name, if it is of this type; whether it is.
+    /// Calls visit(number, input) for the first input of that name, if of this type; returns whether it is.
     template <class Visit>
     bool with_input(std::string_view name, InputType type, Visit visit) const
     {
@@ -173,7 +173,7 @@ private:
         return false;
     }
 
-    /// What an area costs besides its pixels: most displays are told its columns and rows in 11 bytes.
+    /// What an area costs besides its pixels: most displays get its columns and rows in 11 bytes.
     static constexpr int area_bytes = 11;
 
     static std::size_t beyond_halfword(const std::byte* at)

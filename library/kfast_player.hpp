@@ -11,7 +11,7 @@
  *             player.draw(pixels, draw_rectangle);
  *     }
  *
- * `kfast export --header` writes robot_eyes and the constants. It stands on kfast.h, which says the rest. */
+ * `kfast export --header` writes robot_eyes and the constants. It uses kfast.h, which has the details. */
 #ifndef KFAST_PLAYER_HPP
 #define KFAST_PLAYER_HPP
 
@@ -20,9 +20,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// The name of an event, to be compared; as long as the scene is there.
+/// The name of an event, to be compared; valid as long as the scene exists.
 struct KfastEvent {
-    const char* name; ///< UTF-8, with no 0 behind it
+    const char* name; ///< UTF-8, with no 0 after it
     size_t bytes;
 
     bool operator==(const char* other) const
@@ -39,7 +39,7 @@ struct KfastEvent {
 typedef kfast_error (*kfast_draw_format)(kfast_player*, void*, size_t, kfast_draw_rectangle, void*);
 
 /// A scene that plays in memory of its own, of which it needs `block_bytes`: the constant beside the scene.
-/// Every function may be called at any time, and does nothing but answer false as long as begin() has not
+/// Every function may be called at any time, and only returns false as long as begin() has not
 /// succeeded.
 template <size_t block_bytes>
 class KfastPlayer {
@@ -47,7 +47,7 @@ public:
     KfastPlayer() : player_(nullptr), error_(KFAST_NULL_POINTER) {}
 
     /// Makes the scene ready for a panel of this size, at its beginning. The scene must stay where it is.
-    /// Whether it can be played; error() says why not.
+    /// Returns whether it can be played; error() returns why not.
     bool begin(const void* scene, size_t scene_bytes, int width, int height)
     {
         return succeeds(kfast_create(&player_, block_, sizeof block_, scene, scene_bytes, width, height));
@@ -57,7 +57,7 @@ public:
     {
         return begin(scene, scene_bytes, width, height);
     }
-    /// Likewise with these features alone: kfast_create_with() says what that is for.
+    /// The same with these features only: kfast_create_with() says what that is for.
     bool begin(const void* scene, size_t scene_bytes, int width, int height, const kfast_features& features)
     {
         return succeeds(
@@ -70,36 +70,36 @@ public:
         return begin(scene, scene_bytes, width, height, features);
     }
 
-    /// Plays a clip from the next update() on, or without a name the whole scene. False: there is none.
+    /// Plays a clip from the next update() on, or without a name the whole scene. False if there is none.
     bool play(const char* clip = nullptr) { return succeeds(kfast_choose_clip(player_, clip)); }
-    /// Whether a clip that plays once has come to its end.
+    /// Whether a clip that plays once has reached its end.
     bool finished() const { return kfast_finished(player_) != 0; }
 
-    /// Whether the picture has coarser curves, or is not whole, for want of room.
+    /// Whether the picture has coarser curves, or is not complete, for want of room.
     bool is_coarse() const { return kfast_is_coarse(player_) != 0; }
 
-    /// Computes the picture for when a clock, such as millis(), shows this. Whether there is something to
-    /// draw.
+    /// Computes the picture for when a clock, such as millis(), shows this. Returns whether there is
+    /// something to draw.
     bool update(uint32_t milliseconds) { return kfast_update(player_, milliseconds, nullptr, nullptr) != 0; }
-    /// Likewise; calls event_passed(KfastEvent) for each event of the scene on the way.
+    /// The same; also calls event_passed(KfastEvent) for each event of the scene on the way.
     template <class EventPassed>
     bool update(uint32_t milliseconds, EventPassed event_passed)
     {
         return kfast_update(player_, milliseconds, on_event<EventPassed>, &event_passed) != 0;
     }
 
-    /// Sets an input to `value` in 1/1000 of what the scene counts it in: 500 is 0.5. False: there is none.
+    /// Sets an input to `value` in 1/1000 of what the scene counts it in: 500 is 0.5. False if there is none.
     bool set_input(const char* name, int32_t value)
     {
         return succeeds(kfast_set_input(player_, name, value));
     }
-    /// UTF-8.
+    /// Sets a text, in UTF-8.
     bool set_text(const char* name, const char* text)
     {
         return succeeds(kfast_set_text(player_, name, text));
     }
-    /// To `strokes` strokes, of stroke_points[0], stroke_points[1], ... points in 1/16 pixel; all is copied.
-    /// False also if the drawing takes less: then nothing changes.
+    /// Sets a drawing to `strokes` strokes, of stroke_points[0], stroke_points[1], ... points in 1/16 pixel;
+    /// all is copied. Returns false also if the drawing takes fewer: then nothing changes.
     bool set_drawing(const char* name, const kfast_point* points, const uint16_t* stroke_points,
                      size_t strokes)
     {
@@ -107,9 +107,9 @@ public:
     }
 
     /// Calls draw_rectangle(int x, int y, int width, int height, Pixel* pixels) for each rectangle that has
-    /// changed; the pixels lie in `buffer`, which holds a row of the panel or more, and are gone after the
+    /// changed; the pixels are in `buffer`, which holds a row of the panel or more, and are gone after the
     /// call. Pixels are rgb565 unless you choose another format: draw<kfast_draw_mono1>(bytes,
-    /// draw_rectangle). False: the buffer is too small.
+    /// draw_rectangle). Returns false if the buffer is too small.
     template <kfast_draw_format format = kfast_draw_rgb565, class Pixel, size_t pixels, class DrawRectangle>
     bool draw(Pixel (&buffer)[pixels], DrawRectangle draw_rectangle)
     {
@@ -117,17 +117,17 @@ public:
             format(player_, buffer, sizeof buffer, hand_out<Pixel, DrawRectangle>, &draw_rectangle));
     }
 
-    /// The display shows something else by now: the next update() and draw() hand out all of it.
+    /// The display shows something else now: the next update() and draw() hand out all of it.
     bool redraw() { return succeeds(kfast_redraw(player_)); }
 
-    /// What the last function that answered false has to say, for people; "ok" if the last one succeeded.
+    /// The error of the last function that returned false, for people; "ok" if the last one succeeded.
     const char* error() const { return kfast_error_text(error_); }
 
     /// For what else kfast.h can do; NULL before begin().
     kfast_player* player() { return player_; }
 
 private:
-    KfastPlayer(const KfastPlayer&); // the player lies within
+    KfastPlayer(const KfastPlayer&); // the player is within
     KfastPlayer& operator=(const KfastPlayer&);
 
     bool succeeds(kfast_error error)
@@ -146,7 +146,7 @@ private:
     template <class Pixel, class DrawRectangle>
     static void hand_out(int x, int y, int width, int height, const void* pixels, void* draw_rectangle)
     {
-        // They lie in the caller's buffer, which is no constant.
+        // They are in the caller's buffer, which is no constant.
         Pixel* const own = static_cast<Pixel*>(const_cast<void*>(pixels));
         (*static_cast<DrawRectangle*>(draw_rectangle))(x, y, width, height, own);
     }

@@ -27,7 +27,7 @@ public:
         return animation_;
     }
 
-    /// Begins anew, at the next update(), with a clip or the whole scene; as the animation does.
+    /// Begins anew, at the next update(), with a clip or the whole scene; fails as the animation does.
     bool choose_clip(std::string_view name)
     {
         const auto clip = animation_.scene().clip(name);
@@ -41,10 +41,10 @@ public:
         animation_.choose_scene();
     }
 
-    /// Lets the scene run to where a clock shows so many milliseconds, calls
+    /// Lets the scene run to where a clock shows this many milliseconds, calls
     /// event_passed(const EventView&) for each event on the way (core/playhead.hpp), and computes the
     /// picture if it is another frame than before. The first call is the beginning, whatever the clock shows;
-    /// it may run over 2^32. Whether there is something to be drawn.
+    /// it may run over 2^32. Returns whether there is something to be drawn.
     template <class EventPassed>
     bool update(std::uint32_t milliseconds, EventPassed&& event_passed)
     {
@@ -58,7 +58,7 @@ public:
         return true;
     }
 
-    /// Whether what plays once has come to its end, which it goes on to show.
+    /// Whether what plays once has reached its end, which it continues to show.
     bool finished() const { return playhead_.finished(); }
 
     template <PixelFormat format, class DrawRectangle>

@@ -12,10 +12,10 @@ namespace kfast {
 
 /// A line of straight pieces in one colour. It is closed if its last point is its first one.
 struct BeamLine {
-    std::uint16_t first_point = 0; ///< number of it
+    std::uint16_t first_point = 0; ///< the number of its first point
     std::uint16_t points = 0;      ///< at least one, which is a dot
     Colour colour;                 ///< opaque
-    std::uint32_t item = 0;        ///< tells the items of a scene apart, wherever symbols are used
+    std::uint32_t item = 0;        ///< identifies an item of the scene, wherever symbols are used
 };
 
 /// The lit lines of one picture, in memory that the caller lends: points fill it from the front, lines from
@@ -23,7 +23,7 @@ struct BeamLine {
 class BeamLines {
 public:
     static constexpr std::size_t max_points = 0xFFFF;
-    /// Lines that find room in so many bytes.
+    /// The maximum number of lines that find room in `bytes` bytes.
     static constexpr std::size_t max_in(std::size_t bytes)
     {
         return std::min(bytes / (sizeof(FieldPoint) + sizeof(BeamLine)), max_points);
@@ -34,19 +34,19 @@ public:
     explicit BeamLines(std::span<std::byte> storage);
 
     void clear();
-    /// From here to end() points belong to a new line. A point that is the one before is left out.
+    /// From here to end() points belong to a new line. A point that is equal to the previous one is left out.
     void begin(Colour colour, std::uint32_t item);
     void add(FieldPoint point);
     void end();
-    /// Instead of end(): forgets the line.
+    /// Called instead of end(): drops the line.
     void drop();
-    /// Of the line that is being added.
+    /// The number of points of the line that is being added.
     std::uint32_t open_points() const { return open_.points; }
 
     std::size_t size() const { return line_count_; }
-    /// Points of all of them.
+    /// The number of points of all lines.
     std::size_t corners() const { return point_count_; }
-    /// In the order in which they were added.
+    /// The lines are in the order in which they were added.
     const BeamLine& line(std::size_t number) const { return end_[-1 - static_cast<std::ptrdiff_t>(number)]; }
     std::span<const FieldPoint> points(const BeamLine& line) const
     {
@@ -57,13 +57,13 @@ public:
         return line.points > 2 && points(line).front() == points(line).back();
     }
 
-    /// Memory for whoever adds lines: they fill it from both ends.
+    /// The free memory, for adding lines: it is filled from both ends.
     std::span<std::byte> spare()
     {
         const std::size_t front = point_count_ * sizeof(FieldPoint);
         return {reinterpret_cast<std::byte*>(points_) + front, size_ - used_bytes()};
     }
-    /// Something found no room: the picture is not complete.
+    /// Whether something found no room: the picture is not complete.
     bool is_full() const { return is_full_; }
     std::size_t used_bytes() const
     {
@@ -88,7 +88,7 @@ static_assert(sizeof(FieldPoint) == 4 && sizeof(BeamLine) == 12);
 struct BeamLeg {
     std::uint16_t line = 0;   ///< its number
     std::uint16_t start = 0;  ///< of a closed line: the number of its point where it begins and ends
-    bool is_reversed = false; ///< from its last point to its first; never of a closed line
+    bool is_reversed = false; ///< from its last point to its first; never for a closed line
 
     friend constexpr bool operator==(const BeamLeg&, const BeamLeg&) = default;
 };
@@ -109,7 +109,7 @@ inline FieldPoint end_of(const BeamLines& lines, const BeamLeg& leg)
     return leg.start == 0 ? points.back() : points[leg.start];
 }
 
-/// The other way round.
+/// The leg in the other direction.
 inline BeamLeg reversed(const BeamLines& lines, const BeamLeg& leg)
 {
     const bool is_closed = lines.is_closed(lines.line(leg.line));

@@ -7,7 +7,7 @@
 namespace kfast {
 namespace {
 
-/// Lines are cut at a square that lies evenly around (0, 0). What lies on its far borders is held within the
+/// Lines are cut at a square that is centred on (0, 0). What is on its far borders is clamped to the
 /// field, a unit nearer.
 constexpr std::int32_t border = field_side / 2;
 
@@ -90,7 +90,7 @@ void BeamPen::move_to(Place to)
     last_ = to;
 }
 
-/// Adds what lies in the field of a line that does not wholly.
+/// Adds the part in the field of a line that is not wholly in it.
 void BeamPen::add_cut(Place to)
 {
     const bool leaves = !to.is_in_field();
@@ -112,7 +112,7 @@ bool BeamPen::is_outside_one_side(Place a, Place b)
            (a.y < -border && b.y < -border) || (a.y > border && b.y > border);
 }
 
-/// Where the line from a place outside to another enters the field. Both do not lie beyond one side of it.
+/// Where the line from a place outside to another enters the field. They are not both beyond one side of it.
 std::optional<BeamPen::Place> BeamPen::crossing(Place outside, Place other)
 {
     const std::int32_t side_x = std::clamp(outside.x, -border, border);

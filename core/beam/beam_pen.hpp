@@ -22,22 +22,22 @@ enum class BeamInk : std::uint8_t {
 /// Turns the live strokes of one object (PosedStrokes::trace()) into lines in the field.
 ///
 /// Corners are rounded to units of the field, halves up; where lines cross its border is rounded from the
-/// exact crossing of these, whichever way the line runs. What lies beyond the border is cut off: a line that
-/// leaves the field and comes back becomes several, all of them open.
+/// exact crossing of these, in whichever direction the line runs. What is beyond the border is cut off: a
+/// line that leaves the field and comes back becomes several, all of them open.
 class BeamPen {
 public:
-    /// `resolution` is that of the profile: so many pixels has a side of the panel that stands for the field.
+    /// `resolution` is that of the profile: the pixels of a side of the panel, which represents the field.
     BeamPen(BeamLines& lines, const ViewProjection& sight, int resolution, BeamInk ink, Colour colour,
             std::uint32_t item);
 
     void begin(Point from);
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
-    /// Of a broken stroke: it stays open, so that an outline has no seams where the whole stroke has none.
+    /// Ends a part of a broken stroke: it stays open, so that outlines have no seams where it has none.
     void end_part();
 
 private:
-    /// As FieldPoint, but anywhere.
+    /// As FieldPoint, but without limits.
     struct Place {
         std::int32_t x = 0;
         std::int32_t y = 0;
@@ -61,15 +61,15 @@ private:
     BeamLines& lines_;
     ViewProjection sight_;
     int shift_;            ///< from 1/65536 px to half units of the field
-    std::int32_t merging_; ///< corners that lie so near to the one before are left out
+    std::int32_t merging_; ///< corners that are so near to the previous one are left out
     BeamInk ink_;
     Colour colour_;
     std::uint32_t item_;
     Place first_;
-    Place last_;                   ///< that was not left out
-    std::optional<Place> skipped_; ///< behind it
+    Place last_;                   ///< the last one that was not left out
+    std::optional<Place> skipped_; ///< the one after it
     bool is_drawing_ = false;      ///< a line in the field has begun
-    bool is_cut_ = false;          ///< a part of the stroke lies outside
+    bool is_cut_ = false;          ///< a part of the stroke is outside
 };
 
 }

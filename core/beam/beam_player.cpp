@@ -43,7 +43,7 @@ struct BlockPlan {
     std::size_t size() const { return lines + legs + live; }
 };
 
-/// As they are put out: a laser is not always lit where its lines are (StandingLight).
+/// The number of lit points as they are sent: a laser is not always lit where its lines are (StandingLight).
 std::uint32_t lit_points(PointStream plot)
 {
     std::uint32_t lit = 0;
@@ -94,7 +94,7 @@ void BeamPlayer::show_moment(Time moment)
         trace();
 }
 
-/// The moment to which it was moved.
+/// Traces the scene at the time to which it was moved.
 void BeamPlayer::trace()
 {
     pose_bones();

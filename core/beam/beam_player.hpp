@@ -17,19 +17,19 @@ namespace kfast {
 
 /// What it takes to draw one picture. Lengths are in units of the field.
 struct BeamReport {
-    std::uint32_t points = 0; ///< of the whole picture, the way back to its beginning included
+    std::uint32_t points = 0; ///< of the whole picture, including the return to its beginning
     std::uint32_t lit_points = 0;
     std::uint64_t lit_length = 0;
     std::uint64_t blanked_length = 0;
-    std::uint32_t lines = 0;    ///< that are drawn
-    std::uint32_t corners = 0;  ///< of all lines, their ends included
-    std::uint32_t compared = 0; ///< travels, more or less, to find the order of the lines
+    std::uint32_t lines = 0;    ///< the lines that are drawn
+    std::uint32_t corners = 0;  ///< of all lines, including their ends
+    std::uint32_t compared = 0; ///< the approximate number of travels compared to find the order of the lines
     int speed_level = 0;        ///< the beam is 2^(speed_level / 4) times as fast, to keep within the budget
     bool is_complete = true;    ///< there was room and time for all lines
-    std::uint32_t wider_hatchings = 0; ///< of so many objects, because there was no room for them as written
+    std::uint32_t wider_hatchings = 0; ///< objects whose hatchings are wider than written, for want of room
 };
 
-/// Draws any moment of a scene as points of a beam, in memory that the caller lends.
+/// Draws a scene at any time as points of a beam, in memory that the caller lends.
 ///
 /// The points depend on scene, time, inputs, profile and budget alone: not on earlier pictures.
 class BeamPlayer : public SceneState {
@@ -43,7 +43,7 @@ public:
     static Result<BeamPlayer> create(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
                                      std::span<std::byte> block);
 
-    /// Computes the picture at `time`. Any time is allowed: the scene's loop mode decides what it stands for.
+    /// Computes the picture at `time`. Any time is allowed: the scene's loop mode decides what it represents.
     void show(Time time);
     /// As show(), but without loop: the scene's beginning before it and its very end from there on.
     void show_moment(Time moment);
@@ -53,7 +53,7 @@ public:
                                             std::uint32_t budget, std::span<std::byte> block);
 
     const BeamReport& report() const { return report_; }
-    /// For want of room in the block its curves are coarser, hatchings wider, or lines of it are missing.
+    /// Whether, for want of room in the block, its curves are coarser, hatchings wider, or lines are missing.
     bool is_coarse() const { return is_coarse_; }
     /// The points of the picture, from its beginning. They can be repeated as they are: the last one is
     /// followed by the first one. At least one: where there is nothing to draw, the beam is parked. Valid
@@ -75,7 +75,7 @@ private:
     std::uint32_t compared_ = 0;
     std::uint32_t wider_hatchings_ = 0;
     bool is_coarse_ = false;
-    Dependence dependence_; ///< of the picture
+    Dependence dependence_; ///< what the picture depends on
 };
 
 }

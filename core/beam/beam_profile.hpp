@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// A place in the field, the square that the beam of a vector display can reach: 65536 units wide and high,
+/// A point in the field, the square that the beam of a vector display can reach: 65536 units wide and high,
 /// x to the right, y up, (0, 0) in the middle, as in ILDA's files. A DAC of n bits has 2^(16 - n) units a
 /// step. Aligned so that small processors copy it as a word, not by a call.
 struct alignas(4) FieldPoint {
@@ -22,7 +22,7 @@ inline constexpr std::int32_t field_side = 65536;
 inline constexpr std::int32_t field_min = -32768;
 inline constexpr std::int32_t field_max = 32767;
 
-/// How far a beam travels from `a` to `b`: by the longer of its two ways, as both of its mirrors, coils or
+/// How far a beam travels from `a` to `b`: the larger of the distances in x and y, as its mirrors, coils or
 /// pairs of plates move at once.
 constexpr std::int32_t beam_travel(FieldPoint a, FieldPoint b)
 {
@@ -31,16 +31,16 @@ constexpr std::int32_t beam_travel(FieldPoint a, FieldPoint b)
     return std::max(x < 0 ? -x : x, y < 0 ? -y : y);
 }
 
-/// A way within the field.
+/// A displacement within the field.
 struct FieldVector {
     std::int32_t x = 0; ///< within ±65535, as y
     std::int32_t y = 0;
 
-    /// In units of the field: not less than it is, and up to 1/200 and a unit more. Exact along the axes.
+    /// The length in field units: not less than it is, and up to 1/200 and a unit more. Exact along the axes.
     ///
-    /// A way is as long as the longest of its shadows in all directions. Of 32 directions all around, one is
-    /// always within 5.625 degrees, so that the longest shadow divided by the cosine of that is not too
-    /// short. That takes a fifth of the time of a square root.
+    /// A vector is as long as the longest of its projections in all directions. Of 32 directions all around,
+    /// one is always within 5.625 degrees, so that the longest projection divided by the cosine of that is
+    /// not too short. That takes a fifth of the time of a square root.
     std::uint32_t length() const
     {
         const auto width = static_cast<std::uint32_t>(std::abs(x));
@@ -75,18 +75,18 @@ enum class BeamBrightness : std::uint8_t {
               ///< white
 };
 
-/// How the beam of a vector display is to be led. Lengths are in units of the field (BeamPoint), times
+/// How the beam of a vector display is to be moved. Lengths are in units of the field (BeamPoint), times
 /// in points.
 struct BeamProfile {
     std::uint32_t rate = 100'000;   ///< points in a second, 1000 … 1,000,000
     std::uint16_t lit_step = 256;   ///< how far the lit beam goes from point to point, at least 1
-    std::uint16_t travel_step = 0;  ///< likewise the blanked one; 0: it jumps
-    std::uint8_t corner_dwell = 0;  ///< how long it waits where it turns right round; less at blunter corners
+    std::uint16_t travel_step = 0;  ///< how far the blanked beam goes; 0: it jumps
+    std::uint8_t corner_dwell = 0;  ///< how long it waits where it reverses; less at blunter corners
     std::uint8_t lit_dwell = 0;     ///< how long it waits, lit, at both ends of a line
     std::uint8_t arrival_dwell = 0; ///< how long it waits, blanked, where it has travelled to
     std::uint8_t leave_dwell = 0;   ///< how long it waits, blanked, before it travels
     std::uint8_t light_delay =
-        0; ///< how much later the light is put out than the place, for a beam that lags behind
+        0; ///< how much later the light is turned off than the position, for a beam that lags
     std::uint8_t min_refresh = 40; ///< pictures in a second: what takes longer is drawn faster and coarser
     std::uint16_t resolution =
         256; ///< a power of two, 64 … 4096: curves are drawn to 1/16 of the field's side / this
@@ -141,8 +141,8 @@ inline constexpr BeamProfile galvo_profile{.rate = 30'000,
                                            .resolution = 128,
                                            .is_laser = true};
 
-/// Takes care that a laser does not stay lit at one place: it may for 1 ms, and for a tenth of a picture, as
-/// long as it shines nowhere else in between. A place is what lies within 1/256 of the field's side.
+/// Ensures that a laser does not stay lit at one place: it may for 1 ms, and for a tenth of a picture, as
+/// long as it shines nowhere else in between. A place is everything within 1/256 of the field's side.
 class StandingLight {
 public:
     static constexpr std::int32_t reach = field_side / 256;
@@ -153,7 +153,7 @@ public:
     {
     }
 
-    /// Whether it may be lit for the next point that is to be.
+    /// Whether it may be lit for the next point.
     bool may_shine(FieldPoint at)
     {
         const FieldVector away = at - place_;

@@ -21,7 +21,7 @@ int strip_bits_for(std::size_t lines)
     return bits;
 }
 
-/// The number of the strip, and behind it the place in it.
+/// The number of the strip, and after it the position in the strip.
 std::uint16_t place_in_strips(FieldPoint at, int strip_bits)
 {
     const int place_bits = 16 - strip_bits;
@@ -51,17 +51,17 @@ void order_by_strips(const BeamLines& lines, std::span<BeamLeg> legs)
 
 namespace {
 
-/// As many as are all compared with each other.
+/// The maximum number of lines that are all compared with each other.
 constexpr std::size_t max_compared = 128;
 
-/// For more attempts than the first, which gain little, this part of the effort.
+/// The fraction of the effort for further attempts after the first, which gain little.
 constexpr std::uint32_t more_attempts_share = 4;
 
 /// In legs along the tour.
 constexpr std::size_t near = 16;
 
-/// Tries to find a route from several beginnings. There is room for one route only: it is known of the best
-/// one how it was found, and it is found once more if it was not the last.
+/// Tries to find a route from several beginnings. There is room for one route only: how the best one was
+/// found is kept, and it is found once more if it was not the last.
 class RouteSearch {
 public:
     RouteSearch(const BeamLines& lines, FieldPoint from, std::span<BeamLeg> legs)
@@ -69,7 +69,7 @@ public:
     {
     }
 
-    /// Returns what was spent of it.
+    /// Returns how much of the effort was spent.
     std::uint32_t run(std::uint32_t effort);
 
 private:

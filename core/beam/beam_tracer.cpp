@@ -10,7 +10,7 @@
 namespace kfast {
 namespace {
 
-/// Over the dark of the display.
+/// The colour over the dark of the display.
 Colour shining(Colour colour, std::uint32_t opacity)
 {
     const std::uint32_t share = product_of_opacities(colour.opacity, opacity);
@@ -62,7 +62,7 @@ void BeamTracer::trace_object(SceneWalk& walk, const BeamStyle& beam)
     add_lines(walk, beam, [&](const Affine& placement, auto& pen) { strokes.trace(placement, pen); });
 }
 
-/// Points come as they are seen.
+/// Points are projected already.
 void BeamTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
 {
     const Colour colour = shining(walk.state().stroke(), walk.leaf_opacity());
@@ -89,7 +89,7 @@ void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
     });
 }
 
-/// trace(placement, pen) tells the strokes to a pen.
+/// trace(placement, pen) draws the strokes with a pen.
 template <class Trace>
 void BeamTracer::add_lines(SceneWalk& walk, const BeamStyle& beam, Trace trace)
 {

@@ -10,23 +10,23 @@
 
 namespace kfast {
 
-/// The lit lines of all that is to be seen of a scene at the moment to which it was moved, in the order of
-/// painting. The panel stands for the field, and its side has as many pixels as the profile's resolution.
+/// The lit lines of everything visible in a scene at the time to which it was moved, in the order of
+/// painting. The panel represents the field, and its side has as many pixels as the profile's resolution.
 class BeamTracer {
 public:
-    /// The bones of the scene have been posed.
+    /// The bones of the scene must have been posed.
     BeamTracer(const SceneOnPanel& scene, int resolution, BeamLines& lines)
         : on_panel_{scene}, resolution_{resolution}, lines_{lines}
     {
     }
 
-    /// With coarser curves if the lines find no room otherwise.
+    /// Traces it, with coarser curves if the lines find no room otherwise.
     void run();
-    /// What moves the picture.
+    /// What the picture depends on.
     const Dependence& dependence() const { return dependence_; }
-    /// How often the pieces of curves were made twice as long to find room.
+    /// How often the maximum length of pieces of curves was doubled to find room.
     int coarseness() const { return coarseness_; }
-    /// Of so many objects the hatching had to be wider than written, to find room.
+    /// The number of objects whose hatching had to be wider than written, to find room.
     std::uint32_t wider_hatchings() const { return wider_hatchings_; }
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t widest = 1 << 30;
 
-/// Between two lines, in 1/65536 px.
+/// The spacing between two lines, in 1/65536 px.
 std::int32_t spacing_of(const BeamStyle& style, int wider)
 {
     return static_cast<std::int32_t>(std::min((std::int64_t{style.spacing} << 12) << wider, widest));
@@ -32,7 +32,7 @@ void Hatching::add(const Segment& segment)
     flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
-/// As FillOutline closes strokes.
+/// Closes strokes as FillOutline does.
 void Hatching::end(Point hub, bool)
 {
     line_to(hub);
@@ -55,14 +55,14 @@ Point Hatching::point(const Crossing& crossing) const
             Fixed::from_raw(multiply(along, sine_, 30) + multiply(across, cosine_, 30))};
 }
 
-/// The number of the first line that does not lie before `across`.
+/// The number of the first line that is not before `across`.
 std::int32_t Hatching::first_line_from(std::int32_t across) const
 {
     const std::int32_t distance = across - spacing_ / 2;
     return distance / spacing_ + (distance % spacing_ > 0 ? 1 : 0);
 }
 
-/// A line through a corner is crossed where the border leads on behind it, so that the border crosses each
+/// A line through a corner is crossed where the border continues after it, so that the border crosses each
 /// line as often upwards as downwards.
 void Hatching::line_to(Point to)
 {
@@ -101,7 +101,7 @@ void Hatching::sort()
 
 namespace {
 
-/// Pictures with more than this are beyond every point clock.
+/// Pictures with more than this exceed every point clock.
 constexpr std::size_t max_bytes = 65536;
 
 class HatchingCount {
@@ -110,7 +110,7 @@ public:
 
     std::size_t bytes() { return bytes_; }
 
-    /// Calls itself no deeper than groups and uses may lie in each other, kfb::max_depth.
+    /// Recurses no deeper than groups and uses are nested, kfb::max_depth.
     void add(ItemCursor items)
     {
         while (!items.at_end() && bytes_ < max_bytes) {
@@ -123,7 +123,7 @@ public:
     }
 
 private:
-    /// Crossings and the piece between them (hatching.hpp).
+    /// The size of the crossings and the piece between them (hatching.hpp).
     std::size_t bytes_of(const BeamStyle& style) const
     {
         constexpr std::size_t bytes_of_piece = 2 * 8 + sizeof(BeamLine);

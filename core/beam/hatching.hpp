@@ -14,13 +14,13 @@
 namespace kfast {
 
 /// Where the parallel lines of a hatching cross the border of a fill, found while the strokes of an object
-/// are told (PosedStrokes::trace()), in its own space: the lines stay where they are while the drawing
-/// changes, and they turn and grow with the object.
+/// are traced (PosedStrokes::trace()), in its own space: the lines stay where they are while the drawing
+/// changes, and they rotate and scale with the object.
 ///
-/// Line n lies n + 1/2 spacings from the origin. Strokes that are not closed are filled as if they were.
+/// Line n is n + 1/2 spacings from the origin. Strokes that are not closed are filled as if they were.
 class Hatching {
 public:
-    /// Crossings lie in `memory`, which is aligned to 4 bytes. The lines lie 2^`wider` times as far from each
+    /// Crossings are in `memory`, which is aligned to 4 bytes. The lines are 2^`wider` times as far from each
     /// other as `style` says; `coarseness` is that of a ViewProjection.
     Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness);
 
@@ -28,10 +28,10 @@ public:
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
 
-    /// Not all crossings have found room.
+    /// Whether not all crossings have found room.
     bool is_full() const { return is_full_; }
-    /// Tells `pen` the pieces of the lines that lie inside, placed: line by line, in one direction along one
-    /// and in the other along the next. Of the memory, the pen may fill 8 bytes for each piece from the
+    /// Draws with `pen` the pieces of the lines that are inside, placed: line by line, in one direction along
+    /// one and in the other along the next. Of the memory, the pen may fill 8 bytes for each piece from the
     /// front, and 12 from the back: the crossings in their place have been read by then.
     template <class Pen>
     void trace(FillRule rule, const Affine& placement, Pen& pen)
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// Its lowest bit says which way the border crosses the line.
+    /// Its lowest bit is the direction in which the border crosses the line.
     struct Crossing {
         std::int32_t line = 0;
         std::int32_t along = 0; ///< in 1/65536 px
@@ -60,17 +60,17 @@ private:
         std::int32_t winding() const { return (along & 1) != 0 ? 1 : -1; }
     };
 
-    /// A point as seen with the lines running to the right.
+    /// A point in a space where the lines run to the right.
     struct Place {
         std::int32_t along = 0;
         std::int32_t across = 0;
     };
 
-    /// Of a piece, in 1/65536 px. A corner that lies on a line would shine as a dot otherwise.
+    /// The minimum length of a piece, in 1/65536 px. A corner on a line would shine as a dot otherwise.
     static constexpr std::int32_t min_length = 65536 / 16;
 
     static constexpr std::size_t bytes_of_crossing =
-        sizeof(Crossing) + 6; ///< and of half a piece at the back
+        sizeof(Crossing) + 6; ///< and that of half a piece at the back
 
     template <class Pen>
     static void trace_piece(Point from, Point to, Pen& pen)
@@ -105,9 +105,9 @@ private:
     bool is_full_ = false;
 };
 
-/// Memory for the hatchings of a scene, besides that for outlines, a multiple of 4: for two crossings on each
-/// line of every hatched object, as if each were as large as the canvas. What is larger, or has more holes,
-/// has the room that others leave.
+/// The size of memory for the hatchings of a scene, besides that for outlines, a multiple of 4: for two
+/// crossings on each line of every hatched object, as if each were as large as the canvas. What is larger, or
+/// has more holes, has the room that others leave.
 std::size_t hatching_bytes(const SceneView& scene);
 
 }

@@ -86,7 +86,7 @@ std::int32_t LineInterpolator::Slope::operator()(std::uint32_t distance) const
 
 namespace {
 
-/// In x and y. A turn right round from (32767, 32767) would take 59,000 more than 32 bits hold, as lengths
+/// In x and y. A reversal from (32767, 32767) would take 59,000 more than 32 bits hold, as lengths
 /// are a little too long.
 constexpr std::int32_t longest_exact = field_max - 1;
 

@@ -7,13 +7,13 @@
 
 namespace kfast {
 
-/// How far a beam goes from point to point, and how long it waits, at some speed level. Four more are twice
-/// as fast.
+/// How far a beam goes from point to point, and how long it waits, at a speed level. Four levels more are
+/// twice as fast.
 class StepProfile {
 public:
-    /// As fast as can be: every line is crossed at once.
+    /// The highest level: every line is crossed at once.
     static constexpr int max_speed_level = 4 * 31;
-    /// Where speed stands for light, darker lines are drawn as if they were as bright as this, so that the
+    /// Where speed represents light, darker lines are drawn as if they were as bright as this, so that the
     /// beam is no more than 8 times as fast as along the brightest.
     static constexpr std::uint32_t darkest = 32;
     /// How long a dot is lit besides its dwell, in points, so that it is as bright as a line.
@@ -24,15 +24,15 @@ public:
     {
     }
 
-    /// In units of the field, at least 1.
+    /// The lit step in units of the field, at least 1.
     std::uint32_t lit_step(Colour colour) const;
-    /// Likewise; 0 if the beam jumps.
+    /// The blanked step in units of the field; 0 if the beam jumps.
     std::uint32_t travel_step() const;
-    /// What is left of a time in points.
+    /// The rest of a time in points.
     std::uint32_t dwell(std::uint32_t points) const { return points >> (speed_level_ >> 2); }
-    /// At least 1.
+    /// The time that a dot is lit, at least 1.
     std::uint32_t dot_dwell(Colour colour) const;
-    /// Corners are points. In a great hurry they are cut off.
+    /// Whether corners are points. At very high speed levels they are cut off.
     bool hits_corners() const { return speed_level_ < 4 * 3; }
     const BeamProfile& profile() const { return *profile_; }
 
@@ -46,14 +46,14 @@ private:
 /// A straight piece of a line.
 class LineInterpolator {
 public:
-    /// Another one, of a length that is not 0. (Small processors call a function to copy one.)
+    /// Begins another piece, of a length that is not 0. (Small processors call a function to copy one.)
     void begin(FieldPoint from, FieldVector delta, std::uint32_t length);
 
-    /// At a distance, at most its length, from its beginning; rounded to nearest but for 1/4 unit.
+    /// The point at a distance, at most its length, from its beginning; rounded to nearest but for 1/4 unit.
     FieldPoint at(std::uint32_t distance) const;
 
 private:
-    /// Of one coordinate, by how much it grows along the piece: in 1/2^14, and 1/2^28 more.
+    /// By how much a coordinate increases along the piece: in 1/2^14, and 1/2^28 more.
     struct Slope {
         std::uint32_t coarse = 0; ///< at most 1
         std::uint32_t fine = 0;
@@ -68,7 +68,7 @@ private:
     Slope y_;
 };
 
-/// Distances that divide a way into equal steps, rounded to nearest.
+/// Distances that divide a length into equal steps, rounded to nearest.
 class BeamSteps {
 public:
     BeamSteps() = default;
@@ -78,7 +78,7 @@ public:
     {
     }
 
-    /// From the beginning.
+    /// The distance from the beginning.
     std::uint32_t next()
     {
         at_ += step_;
@@ -98,7 +98,7 @@ private:
     std::uint32_t at_ = 0;
 };
 
-/// Which way a straight piece runs.
+/// The direction of a straight piece.
 class BeamDirection {
 public:
     /// Shorter pieces have none: their corners are rounded.
@@ -117,15 +117,15 @@ private:
     std::uint32_t length_ = 0;
 };
 
-/// How sharply a line turns from one piece to the next: by (1 - cos) / 2 of the angle, 0 … 1.
+/// How sharply a line changes direction between two pieces: (1 - cos) / 2 of the angle, 0 … 1.
 class BeamTurn {
 public:
-    /// None if one of them is not known.
+    /// No turn if one of them is not known.
     BeamTurn(const BeamDirection& before, const BeamDirection& after);
 
-    /// By 29° (the cosine is 7/8) or more. What turns by less is taken for a curve.
+    /// Whether the angle is 29° (the cosine is 7/8) or more. A smaller one is taken for a curve.
     bool is_corner() const { return rest_ > whole_ >> 3; }
-    /// The share of `max`, at most 255, rounded to nearest; none where there is no corner.
+    /// The fraction of `max`, at most 255, rounded to nearest; none where there is no corner.
     std::uint32_t share_of(std::uint32_t max) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace kfast {
 namespace {
 
-/// A leg, and how far it is to where it begins.
+/// A leg, and how far away its beginning is.
 struct Approach {
     std::int32_t travel = std::numeric_limits<std::int32_t>::max();
     BeamLeg leg;
@@ -21,7 +21,7 @@ struct Approach {
     }
 };
 
-/// Some of its points, from the first one on.
+/// Checks some of its points, from the first one on.
 Approach approach_closed(const BeamLines& lines, FieldPoint from, std::uint16_t line)
 {
     constexpr int looked_at = 8;
@@ -70,7 +70,7 @@ FieldPoint far_end_of(const BeamLines& lines, const BeamLeg& chain)
     return chain.is_reversed ? ItemChain::begin_of(lines, chain) : ItemChain::end_of(lines, chain);
 }
 
-/// approach(from, leg) is how `leg` is best come to, end_of(leg) where it leads.
+/// approach(from, leg) is the best approach to `leg`, end_of(leg) where it ends.
 template <class ApproachTo, class EndOf>
 void follow_nearest(FieldPoint from, std::size_t window, std::span<BeamLeg> legs, ApproachTo approach,
                     EndOf end_of)
@@ -92,7 +92,7 @@ void follow_nearest(FieldPoint from, std::size_t window, std::span<BeamLeg> legs
     }
 }
 
-/// How many chains there are, filled into the beginning of `legs`; none if there are more than `max`.
+/// The number of chains that fill the beginning of `legs`; none if there are more than `max`.
 std::size_t find_chains(const BeamLines& lines, std::size_t max, std::span<BeamLeg> legs)
 {
     std::size_t count = 0;
@@ -108,8 +108,8 @@ std::size_t find_chains(const BeamLines& lines, std::size_t max, std::span<BeamL
     return count;
 }
 
-/// Puts the lines of the first `count` legs, which are chains, in their place: from the back, so that no
-/// chain is written over before it is read.
+/// Replaces the first `count` legs, which are chains, by their lines: from the back, so that no
+/// chain is overwritten before it is read.
 void unfold(const BeamLines& lines, std::size_t count, std::span<BeamLeg> legs)
 {
     std::size_t place = legs.size();

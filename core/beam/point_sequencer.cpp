@@ -65,7 +65,7 @@ void PointSequencer::restart()
     left_ = 0;
 }
 
-/// Each phase tells which one comes after it.
+/// Each phase sets the one that comes after it.
 void PointSequencer::begin_phase()
 {
     switch (phase_) {
@@ -127,7 +127,7 @@ void PointSequencer::begin_line()
     go(line_[corner_], length, lit_step_, true);
 }
 
-/// Goes to the next corner that is to be a point, and tells how far it is.
+/// Goes to the next corner that is to be a point, and returns how far it is.
 std::uint32_t PointSequencer::find_end()
 {
     corner_dwell_ = 0;
@@ -169,7 +169,7 @@ std::uint32_t PointSequencer::start_points() const
     return step_profile_.dwell(turn.share_of(step_profile_.profile().corner_dwell));
 }
 
-/// Besides the one that the run before has ended with.
+/// The points besides the one that the run before has ended with.
 std::uint32_t PointSequencer::corner_points() const
 {
     if (corner_ + 1 != line_.size())
@@ -210,7 +210,7 @@ FieldPoint PointSequencer::next()
     return piece_.at(distance - piece_begin_);
 }
 
-/// Only here putting out takes divisions: counting takes none of them. One point has been taken already.
+/// Only output needs divisions: counting does without them. One point has been taken already.
 void PointSequencer::set_out()
 {
     has_set_out_ = true;
@@ -219,7 +219,7 @@ void PointSequencer::set_out()
     piece_length_ = 0;
 }
 
-/// Pieces that no point lies on are passed over.
+/// Pieces without a point on them are skipped.
 void PointSequencer::enter_piece_at(std::uint32_t distance)
 {
     FieldPoint from = is_lit_ ? line_[piece_corner_] : came_from_;

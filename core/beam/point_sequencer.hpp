@@ -27,12 +27,12 @@ private:
     const FieldPoint* points_ = nullptr; ///< of the line
     std::uint32_t size_ = 0;
     std::uint32_t first_ = 0;
-    std::uint32_t period_ = 0; ///< after so many points the same ones come again
+    std::uint32_t period_ = 0; ///< after that many points the same ones come again
     bool is_reversed_ = false;
     Colour colour_;
 };
 
-/// The way of a beam along a route and back to its beginning, as one *run* of points after another: the beam
+/// The path of a beam along a route and back to its beginning, as one *run* of points after another: the beam
 /// rests at a place, or goes along a line at even steps.
 ///
 /// Where there are no legs, it is parked, blanked, for one point.
@@ -47,19 +47,19 @@ public:
     PointSequencer(const BeamLines& lines, std::span<const BeamLeg> legs, const StepProfile& step_profile,
                    std::uint32_t pause);
 
-    /// Goes to the next run, whatever is left of this one. Whether there is one; it has at least one point.
+    /// Goes to the next run, of at least one point, whatever is left of this one. False if there is none.
     bool next_run();
-    /// Points of the run that next() has not given.
+    /// The number of points of the run that next() has not given.
     std::uint32_t left() const { return left_; }
     bool is_lit() const { return is_lit_; }
-    /// Of the line that the run is of.
+    /// The colour of the line that the run is of.
     Colour colour() const { return line_.colour(); }
-    /// What the beam goes along in the run; 0 where it rests.
+    /// The length along which the beam goes in the run; 0 where it rests.
     std::uint32_t length() const { return length_; }
 
-    /// The place of the next point of the run.
+    /// The position of the next point of the run.
     FieldPoint next();
-    /// From the beginning again.
+    /// Starts from the beginning again.
     void restart();
 
 private:
@@ -85,12 +85,12 @@ private:
     StepProfile step_profile_;
     std::uint32_t pause_;
 
-    std::size_t leg_ = 0; ///< behind the last one, the route is done
+    std::size_t leg_ = 0; ///< after the last one, the route is done
     Phase phase_ = Phase::leave;
     LegCorners line_; ///< of the leg
     std::uint32_t lit_step_ = 1;
     FieldPoint came_from_;           ///< where the leg before has ended
-    bool is_joined_ = false;         ///< the line begins there
+    bool is_joined_ = false;         ///< whether the line begins there
     std::uint32_t corner_ = 0;       ///< of the line, where the next run begins
     std::uint32_t corner_dwell_ = 0; ///< there
 
@@ -100,10 +100,10 @@ private:
     bool is_lit_ = false;
     bool rests_ = true;
     FieldPoint end_;
-    bool has_set_out_ = false; ///< what follows is known
+    bool has_set_out_ = false; ///< whether what follows is known
     BeamSteps steps_;
-    LineInterpolator piece_;        ///< where it has come to
-    std::uint32_t piece_begin_ = 0; ///< from the beginning of the run
+    LineInterpolator piece_;        ///< the current one
+    std::uint32_t piece_begin_ = 0; ///< distance from the beginning of the run
     std::uint32_t piece_length_ = 0;
     std::uint32_t piece_corner_ = 0; ///< of the line, where the piece ends
 };

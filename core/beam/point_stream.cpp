@@ -55,7 +55,7 @@ private:
         }
     }
 
-    /// Whether so many legs find room. What does was found.
+    /// Whether that many legs find room. The result is kept if they do.
     bool fits(int speed_level, std::size_t legs)
     {
         const std::uint32_t pause = profile_.is_laser ? 1 : 0;

@@ -22,9 +22,9 @@ struct BeamAmount {
 /// How a route is drawn with no more points than there is time for.
 struct BeamTiming {
     int speed_level = 0;  ///< no more than is needed
-    std::size_t legs = 0; ///< so many of the first ones can be drawn, however much the beam hurries
-    /// Points for which a laser rests, blanked, so that a picture takes 1/max_refresh s: else what is small
-    /// would be drawn over and over, and dangerously bright.
+    std::size_t legs = 0; ///< how many of the first ones can be drawn, at the highest speed
+    /// The points for which a laser rests, blanked, so that a picture takes 1/max_refresh s: otherwise what
+    /// is small would be drawn over and over, and dangerously bright.
     std::uint32_t pause = 0;
     BeamAmount amount;
 
@@ -37,7 +37,7 @@ BeamTiming find_timing(const BeamLines& lines, std::span<const BeamLeg> legs, co
 
 /// The points of a picture, one after another. It needs no memory that grows with them.
 ///
-/// Where the light comes later than the place, all points are: the places of the first ones come at the
+/// Where the light comes later than the position, all points are: the positions of the first ones come at the
 /// end of the picture before.
 class PointStream {
 public:
@@ -55,7 +55,7 @@ private:
     Colour light() const;
 
     PointSequencer sequencer_;
-    PointSequencer places_; ///< where the light is late, as many points ahead
+    PointSequencer places_; ///< where the light is late, that many points ahead
     StandingLight standing_;
     bool is_late_;
     bool is_laser_;

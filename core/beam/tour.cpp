@@ -42,7 +42,7 @@ public:
     {
     }
 
-    /// Goes round the tour until nothing has become shorter all around.
+    /// Goes around the tour until nothing has become shorter all around.
     void run()
     {
         std::size_t unchanged = 0;
@@ -75,7 +75,7 @@ void Improvement::change_at(std::size_t place)
         move_from(place, count);
 }
 
-/// Of a line with many points every so many are looked at, and then those around the best.
+/// For a line with many points, checks only some at even distances, and then those around the best.
 void Improvement::choose_start(std::size_t place)
 {
     const std::span<const FieldPoint> starts = tour_.starts_of(place);
@@ -114,7 +114,7 @@ void Improvement::choose_start(std::size_t place)
     is_better_ = true;
 }
 
-/// All stretches from `first` on, the first one of those that make the tour shorter.
+/// Reverses parts of the tour from `first` on, each time the first one that makes the tour shorter.
 void Improvement::reverse_from(std::size_t first)
 {
     const std::int32_t arrival = tour_.travel_to(first);
@@ -154,7 +154,7 @@ void Improvement::move_from(std::size_t first, std::size_t count)
     }
 }
 
-/// If they are nearer to what they get between than they gain here.
+/// Moves them if they are nearer to their new neighbours than they gain here.
 bool Improvement::move_to(std::size_t first, std::size_t count, std::size_t place, std::int32_t gain)
 {
     const std::size_t next = place == tour_.size() ? 0 : place;

@@ -20,24 +20,24 @@ public:
     FieldPoint end_of(std::size_t place) const { return kfast::end_of(lines_, legs_[place]); }
     std::size_t before(std::size_t place) const { return (place == 0 ? size() : place) - 1; }
     std::size_t behind(std::size_t place) const { return place + 1 == size() ? 0 : place + 1; }
-    /// From the leg before it.
+    /// The travel from the leg before it.
     std::int32_t travel_to(std::size_t place) const
     {
         return beam_travel(end_of(before(place)), begin_of(place));
     }
 
-    /// Reverses the legs from `first` to `last`, each and all together.
+    /// Reverses the order of the legs from `first` to `last`, and each of them.
     void reverse(std::size_t first, std::size_t last);
-    /// Makes the leg at `place` the first.
+    /// Makes the leg at `place` the first one.
     void begin_at(std::size_t place)
     {
         std::rotate(legs_.begin(), legs_.begin() + static_cast<std::ptrdiff_t>(place), legs_.end());
     }
-    /// Moves `count` legs from `first` on, so that they stand in front of what was at `place`, which is not
+    /// Moves `count` legs from `first` on before the leg that was at `place`, which is not
     /// one of them, and may be size(). Returns where they begin now.
     std::size_t move(std::size_t first, std::size_t count, std::size_t place);
 
-    /// The points of a leg that begins at any of them; none of an open line.
+    /// The points at which a leg may begin; none for an open line.
     std::span<const FieldPoint> starts_of(std::size_t place) const;
     std::size_t start_of(std::size_t place) const { return legs_[place].start; }
     void set_start(std::size_t place, std::size_t start)
@@ -50,7 +50,7 @@ private:
     std::span<BeamLeg> legs_;
 };
 
-/// What may still be done for a route.
+/// How much effort is left for a route.
 class RouteEffort {
 public:
     explicit RouteEffort(std::uint32_t travels) : left_{travels} {}
@@ -63,10 +63,10 @@ private:
     std::uint32_t left_;
 };
 
-/// Makes `tour` shorter by small changes, each of which makes it shorter by itself: reverses a stretch
+/// Makes `tour` shorter by small changes, each of which makes it shorter by itself: reverses a part
 /// (2-opt), moves up to three legs elsewhere (Or-opt), begins closed lines at other points, of which not all
-/// are looked at where there are many. Stretches and moves are at most `window` legs long. Ends where no such
-/// change is left, or the effort.
+/// are looked at where there are many. Reversed parts and moves are at most `window` legs long. Ends where no
+/// such change is left, or the effort.
 void improve(Tour& tour, std::size_t window, RouteEffort& effort);
 
 }

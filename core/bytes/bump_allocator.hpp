@@ -10,7 +10,7 @@ class BumpAllocator {
 public:
     explicit BumpAllocator(std::span<std::byte> block) : rest_{block} {}
 
-    /// There are as many bytes left.
+    /// There must be that many bytes left.
     std::span<std::byte> cut(std::size_t bytes)
     {
         const std::span<std::byte> part = rest_.first(bytes);

@@ -11,7 +11,7 @@ BitReader BitReader::take(ByteReader& bytes, std::uint32_t count, std::uint32_t 
     return bits;
 }
 
-/// Of the end of the bytes, or from behind it.
+/// Of the end of the bytes, or from after it.
 std::uint32_t BitReader::last_word(std::uint32_t byte) const
 {
     std::uint32_t word = 0;

@@ -38,8 +38,8 @@ public:
         return low | u16() << 16;
     }
 
-    /// Seven bits a byte, lowest first, the high bit set on all bytes but the last. What does not fit in 32
-    /// bits counts as past the end.
+    /// Seven bits a byte, lowest first, the high bit set on all bytes except the last. What does not fit in
+    /// 32 bits counts as past the end.
     std::uint32_t varint()
     {
         std::uint32_t value = 0;
@@ -76,7 +76,7 @@ public:
         return part;
     }
 
-    /// What was read has no meaning: it counts as past the end.
+    /// Rejects what was read as meaningless: it counts as past the end.
     void refuse() { overrun_ = true; }
 
     std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
@@ -89,7 +89,7 @@ private:
     bool overrun_ = false;
 };
 
-/// A name as the format stores it: a byte, how long it is, and its letters. Borrows the bytes.
+/// A name as the format stores it: a byte with its length, and its letters. Borrows the bytes.
 inline std::string_view read_name(ByteReader& bytes)
 {
     const std::size_t length = bytes.u8();
@@ -99,11 +99,11 @@ inline std::string_view read_name(ByteReader& bytes)
     return name;
 }
 
-/// Reads bits from front to back, the highest bit of each byte first. Past the end it reads zeros and can
-/// tell that it did.
+/// Reads bits from front to back, the highest bit of each byte first. Past the end it reads zeros, and
+/// remembers that it did.
 class BitReader {
 public:
-    /// So many bits can be looked at at once.
+    /// The maximum number of bits that can be looked at at once.
     static constexpr std::uint32_t max = 25;
 
     BitReader() = default;
@@ -124,7 +124,7 @@ public:
         return word << (at_ & 7);
     }
     void skip(std::uint32_t count) { at_ += count; }
-    /// To the bit `at`, counted from the first one.
+    /// Goes to the bit `at`, counted from the first one.
     void go_to(std::uint32_t at) { at_ = at; }
 
     /// The next `count` bits, 1 … `max`.
@@ -151,7 +151,7 @@ public:
         return value;
     }
 
-    /// What begins with the first byte of which no bit has been read.
+    /// The bytes from the first one of which no bit has been read.
     std::span<const std::byte> rest() const
     {
         const std::uint32_t read = std::min((at_ + 7) / 8, size_);

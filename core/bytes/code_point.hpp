@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// One code point as it stands in a text. A byte that begins no valid UTF-8 sequence is a code point of its
+/// One code point as it is in a text. A byte that begins no valid UTF-8 sequence is a code point of its
 /// own, with `valid` false and its own value.
 struct CodePoint {
     char32_t value = 0;
@@ -15,7 +15,7 @@ struct CodePoint {
 
 inline constexpr char32_t last_code_point = 0x10FFFF;
 
-/// The code point at `offset`, which must lie inside the text. Overlong forms, surrogates and values above
+/// The code point at `offset`, which must be inside the text. Overlong forms, surrogates and values above
 /// U+10FFFF are invalid.
 CodePoint code_point_at(std::string_view text, std::size_t offset);
 

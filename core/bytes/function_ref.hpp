@@ -5,8 +5,8 @@ namespace kfast {
 template <class Signature>
 class FunctionRef;
 
-/// Whatever can be called so, for the time of a call that it is handed to: it is not copied. In place of a
-/// template parameter where a second copy of the code would cost more than a jump.
+/// Any callable with this signature, for the time of the call that it is passed to: it is not copied.
+/// Replaces a template parameter where a second copy of the code would cost more than a jump.
 template <class Return, class... Arguments>
 class FunctionRef<Return(Arguments...)> {
 public:

@@ -4,34 +4,34 @@
 
 namespace kfast {
 
-/// What takes time in the core, where it is done often. The fit report counts it and knows what each of them
-/// costs (host/fit/cost_table.hpp).
+/// The operations that take time in the core, counted where they are done often. The fit report counts them
+/// and knows the cost of each (host/fit/cost_table.hpp).
 enum class Op : std::uint8_t {
     // From the time to outlines.
     picture,         ///< begun from scratch
-    timeline,        ///< moved to a moment
+    timeline,        ///< moved to a time
     key,             ///< whose value a track takes over
     item,            ///< looked at
     track,           ///< evaluated
     placement,       ///< made from the values of tracks
     law,             ///< applied
-    bezier_law,      ///< likewise, one that has to be solved
+    bezier_law,      ///< applied, one that has to be solved
     bone,            ///< posed
     object,          ///< traced, once for its fill and once for its stroke
     stroke,          ///< of a drawing
     segment,         ///< of a drawing, read
     line,            ///< between two drawings
-    curve,           ///< likewise
+    curve,           ///< between two drawings
     split,           ///< of a segment, to have as many as its partner
     point,           ///< placed by a map that has to multiply
-    wide_point,      ///< likewise, in 64 bits
+    wide_point,      ///< placed by such a map, in 64 bits
     projected_point, ///< in perspective
     carried_point,   ///< by a bone
     bent_point,      ///< by a backbone
     piece,           ///< of a curve
     pen_piece,       ///< a straight piece that a pen follows
     bend,            ///< between two of them
-    slight_bend,     ///< likewise, a corner on each side
+    slight_bend,     ///< between two of them, a corner on each side
     placed_corner,   ///< of a drawing that moves as a whole
     corner,          ///< of an outline
     chain,           ///< of an outline
@@ -43,7 +43,7 @@ enum class Op : std::uint8_t {
     passed_border,  ///< of the record, in one of these
     band,           ///< of rows
     band_chain,     ///< in a band
-    straight_chain, ///< likewise one that is straight
+    straight_chain, ///< in a band, one that is straight
     border,         ///< of the record, read
     region,         ///< of a tile, painted
     edge_row,       ///< of a region with a single edge
@@ -60,7 +60,7 @@ enum class Op : std::uint8_t {
     edge_group,     ///< of edges that overlap within a pixel
     line_crossing,  ///< of a line through it
     span,           ///< of even coverage
-    fill,           ///< of a stretch
+    fill,           ///< of a run of pixels
     filled_pixel,
     blended_pixel,
     faded_pixel, ///< of a group
@@ -70,7 +70,7 @@ inline constexpr std::uint8_t op_kinds = static_cast<std::uint8_t>(Op::faded_pix
 
 #ifdef KFAST_COUNTS_WORK // only by the host side: on a device nothing is left of the counting
 
-/// Where it is counted, by the thread that counts.
+/// Where operations are counted, for each thread.
 class OpCounter {
 public:
     virtual ~OpCounter() = default;
@@ -81,7 +81,7 @@ public:
     std::uint32_t* counts = nullptr; ///< of the present item
 };
 
-inline constinit thread_local OpCounter* op_counter = nullptr; ///< whoever counts
+inline constinit thread_local OpCounter* op_counter = nullptr; ///< the counter in use, if any
 
 inline void count_op(Op op, std::uint32_t times = 1)
 {

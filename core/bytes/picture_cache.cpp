@@ -75,7 +75,7 @@ const std::uint32_t* PictureCache::end(bool is_complete)
     return words_of(found_);
 }
 
-/// Behind the set that is coming in.
+/// Reserves memory after the incoming set.
 bool PictureCache::reserve(std::size_t count)
 {
     while (size_ - end_ < count)
@@ -84,7 +84,7 @@ bool PictureCache::reserve(std::size_t count)
     return true;
 }
 
-/// A set that neither this picture nor the one before has wanted, or else the one that is to be replaced.
+/// Removes a set that neither this picture nor the one before has wanted, or else the one to be replaced.
 bool PictureCache::remove_one()
 {
     if (used_ == 0)

@@ -7,8 +7,8 @@
 
 namespace kfast {
 
-/// What pictures are made from and need not be made anew for each of them: sets of words by name, kept in
-/// memory that the caller lends. What finds no room is not kept; whoever makes it again makes the same.
+/// What pictures are made from and need not be made anew for each of them: sets of words by name, in memory
+/// that the caller lends. What finds no room is not kept; made again, it is the same.
 ///
 ///     | name, size | words | name, size | words | ...  free |
 ///
@@ -26,28 +26,28 @@ public:
 
     void begin_picture();
 
-    /// The words of a set, which is of use for this picture; valid until another set is begun. Null if it is
-    /// not kept.
+    /// The words of a set, which is of use for this picture; valid until another set is begun. Returns null
+    /// if it is not kept.
     const std::uint32_t* find(const Name& name);
     /// The number of words of the set that was found or completed last.
     std::size_t count() const { return set_at(found_).words - head_words; }
 
-    /// For what comes in, sets make way that neither this picture nor the one before has wanted; then, if it
+    /// An incoming set replaces sets that neither this picture nor the one before has wanted; then, if it
     /// replaces the next, those of its kind (the last word of names) that come next and that this picture has
-    /// not wanted so far. What found no room in that way replaces none when it comes in again.
+    /// not wanted so far. A set that found no room in that way replaces none when it is added again.
     enum class Incoming : std::uint8_t { beside_others, replaces_next };
 
-    /// A set comes in. None of this name is kept.
+    /// Begins a set. None of this name is kept yet.
     [[gnu::cold, gnu::noinline]] void begin(const Name& name, Incoming incoming);
-    /// Memory for `count` words more of it; valid until the next call. Null if they find no room, then the
-    /// set is not kept.
+    /// Adds memory for `count` more words; valid until the next call. Returns null if they find no room, then
+    /// the set is not kept.
     [[gnu::cold, gnu::noinline]] std::uint32_t* add(std::size_t count);
     /// All of its words so far; valid until the next call.
     std::uint32_t* incoming() const { return words_of(used_); }
-    /// Its words, if it is complete and found room; then it is kept.
+    /// Ends the set. Returns its words, if it is complete and found room; then it is kept.
     [[gnu::cold, gnu::noinline]] const std::uint32_t* end(bool is_complete);
 
-    /// What is taken by sets that were of use in this picture.
+    /// The size of the sets that were of use in this picture.
     std::size_t bytes_in_use() const;
 
 private:
@@ -71,11 +71,11 @@ private:
     std::uint32_t* memory_ = nullptr;
     std::size_t size_ = 0;     ///< of the memory, in words, as all that follows
     std::size_t used_ = 0;     ///< by sets that are kept
-    std::size_t end_ = 0;      ///< of the set that is coming in
-    std::size_t found_ = 0;    ///< place of the set that was found last
-    bool is_incoming_ = false; ///< a set is, and has found room so far
+    std::size_t end_ = 0;      ///< of the incoming set
+    std::size_t found_ = 0;    ///< offset of the set that was found last
+    bool is_incoming_ = false; ///< whether a set is being added, and has found room so far
     Incoming incoming_ = Incoming::beside_others;
-    Name name_{};              ///< of that set
+    Name name_{};              ///< of the incoming set
     Name failed_{};            ///< of the last one that found no room
     std::uint8_t picture_ = 2; ///< a number of it; sets of older ones may have 0
 };

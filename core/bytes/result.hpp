@@ -36,7 +36,7 @@ class [[nodiscard]] Result {
 public:
     constexpr Result(T value) : value_{std::move(value)} {}
     constexpr Result(Error error) : error_{error} {}
-    /// Makes the value in its place, which a small stack may have no room to copy.
+    /// Constructs the value in place, as a small stack may have no room to copy it.
     template <class... Arguments>
     constexpr explicit Result(std::in_place_t, Arguments&&... arguments)
         : value_{std::in_place, std::forward<Arguments>(arguments)...}
@@ -53,7 +53,7 @@ public:
 
     /// Only when the result holds no value.
     constexpr Error error() const { return error_; }
-    /// There is no value any more.
+    /// From now on there is no value.
     constexpr void fail(Error error)
     {
         value_.reset();
@@ -65,7 +65,7 @@ private:
     Error error_{};
 };
 
-/// The name of an error and what it means, for people, with a 0 behind it: "bad_magic: not a compiled scene".
+/// The name of an error and what it means, for people, followed by a 0: "bad_magic: not a compiled scene".
 constexpr std::string_view error_text(Error error)
 {
     using namespace std::string_view_literals; // of known length: nothing calls strlen

@@ -35,7 +35,7 @@ constexpr std::uint32_t widen_channel(std::uint32_t value, std::uint32_t max)
     return (value * 255 + max / 2) / max;
 }
 
-/// `over` laid on `under` with a coverage of 0 … 255, rounded to nearest; all in the same format.
+/// `over` blended over `under` with a coverage of 0 … 255, rounded to nearest; all in the same format.
 constexpr std::uint32_t blend_channel(std::uint32_t under, std::uint32_t over, std::uint32_t coverage)
 {
     return rounded_255th(under * (255 - coverage) + over * coverage);
@@ -64,7 +64,7 @@ constexpr std::uint32_t product_of_opacities(std::uint32_t a, std::uint32_t b)
 /// Which parts of the plane are inside of outlines that cross or enclose each other, as in SVG. The values
 /// are those of the scene format.
 enum class FillRule : std::uint8_t {
-    nonzero,  ///< those that the outlines go around more often one way than the other
+    nonzero,  ///< those that the outlines go around more often in one direction than in the other
     even_odd, ///< those that the outlines go around an odd number of times
 };
 
@@ -92,7 +92,7 @@ enum class BeamParts : std::uint8_t {
     both,
 };
 
-/// Of an object, as beams draw it; panels know nothing of it.
+/// How beams draw an object; panels do not use it.
 struct BeamStyle {
     BeamParts parts = BeamParts::outline;
     int spacing = 64;        ///< from a line of the hatching to the next, in 1/16 px

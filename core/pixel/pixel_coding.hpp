@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-// Stretches of pixels of the same colour are stored in words, as far as they lie at their places in memory.
+// Runs of pixels of the same colour are stored in words, as far as they are aligned in memory.
 using Halfword [[gnu::may_alias]] = std::uint16_t;
 using Word [[gnu::may_alias]] = std::uint32_t;
 
@@ -47,7 +47,7 @@ inline void store_triple(std::byte* at, std::uint32_t triple)
     at[2] = static_cast<std::byte>(triple >> 16);
 }
 
-/// Stores three bytes, that in the lowest bits first, `count` times.
+/// Stores three bytes, the one in the lowest bits first, `count` times.
 inline void fill_triples(std::byte* at, int count, std::uint32_t triple)
 {
     for (; count > 0 && beyond_word(at) != 0; --count, at += 3)
@@ -87,7 +87,7 @@ inline void fill_bits(std::byte* first, int begin, int end, std::uint32_t byte)
 }
 
 /// How one format stores and mixes pixels: ink() makes a pixel of a colour, load() and store() reach the
-/// pixel `index` of the row at `first`, fill() stores one several times, mixed() lays one over another.
+/// pixel `index` of the row at `first`, fill() stores one several times, mixed() blends one over another.
 template <PixelFormat format>
 struct PixelCoding;
 

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// How the pixels of a row lie in memory. Every row starts on a byte.
+/// How the pixels of a row are stored in memory. Every row starts on a byte.
 enum class PixelFormat : std::uint8_t {
     rgb565,         ///< 2 bytes a pixel, little-endian, red in the highest 5 bits
     rgb565_be,      ///< as rgb565 with the high byte first, as panels on an 8-bit bus take it

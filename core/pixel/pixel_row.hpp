@@ -9,7 +9,7 @@
 namespace kfast {
 
 /// The ordered dither of an 8 x 8 Bayer matrix: which pixels of a panel are lit at a brightness of 0 … 255.
-/// It depends on the place on the panel alone; round(64 x brightness / 255) of every 8 x 8 pixels are lit.
+/// It depends on the position on the panel alone; round(64 x brightness / 255) of every 8 x 8 pixels are lit.
 class Dither {
 public:
     constexpr Dither()
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    /// 0 … 63: the bits of x ^ y and y taken in turns, the lowest first.
+    /// 0 … 63: the bits of x ^ y and y alternately, the lowest first.
     static constexpr std::uint32_t rank(std::uint32_t x, std::uint32_t y)
     {
         std::uint32_t rank = 0;
@@ -47,7 +47,7 @@ private:
 
 inline constexpr Dither dither;
 
-/// Paints stretches of one row of an area of the panel. All columns are the panel's.
+/// Paints runs of pixels in one row of an area of the panel. All columns are the panel's.
 template <PixelFormat format>
 struct PixelRow {
     std::byte* first; ///< where the pixel of column `left` begins; aligned to 2 if pixels are 16 bits
@@ -58,7 +58,7 @@ struct PixelRow {
 
     void fill(int x, int count, std::uint32_t ink) { Coding::fill(first, x - left, count, ink); }
 
-    /// Lays ink over the pixels with a coverage of 0 … 255.
+    /// Blends ink over the pixels with a coverage of 0 … 255.
     void blend(int x, int count, std::uint32_t ink, std::uint32_t coverage)
     {
         for (int i = x - left; count > 0; ++i, --count)
@@ -77,8 +77,8 @@ private:
     using Coding = PixelCoding<format>;
 };
 
-/// A pixel knows only whether it is lit. What is laid over it is mixed with black or white, and the result
-/// decides by the threshold at its place.
+/// A pixel is only lit or not. What is blended over it is mixed with black or white, and the result
+/// is compared with the threshold at its position.
 template <>
 struct PixelRow<PixelFormat::mono1_dithered> {
     std::byte* first;

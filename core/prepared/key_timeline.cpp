@@ -31,7 +31,7 @@ KeyTimeCursor KeyTimeline::key_times(const SceneView& scene) const
     return KeyTimeCursor::take(bytes, {});
 }
 
-/// Those behind the key to which the way leads.
+/// The key times after the key at the end of the interval.
 KeyTimeCursor KeyTimeline::key_times_behind(const SceneView& scene) const
 {
     KeyTimeCursor behind = key_times(scene);
@@ -39,7 +39,7 @@ KeyTimeCursor KeyTimeline::key_times_behind(const SceneView& scene) const
     return behind;
 }
 
-/// To before the first key.
+/// Goes to before the first key.
 void KeyTimeline::rewind(const SceneView& scene)
 {
     KeyTimeCursor all = key_times(scene);
@@ -51,7 +51,7 @@ void KeyTimeline::rewind(const SceneView& scene)
     is_between_ = false;
 }
 
-/// To the last key that is not behind `time`: at least one.
+/// Goes to the last key that is not after `time`: at least one.
 void KeyTimeline::go_on(Time time, const SceneView& scene)
 {
     KeyTimeCursor behind = key_times_behind(scene);

@@ -10,47 +10,47 @@
 
 namespace kfast {
 
-/// Key times of a scene, and where among them a moment lies: between which two of them, and how far the way
-/// from the one to the other has come. Each set of key times that the scene stores has one: tracks of an item
+/// Key times of a scene, and the position of a time among them: between which two of them it is, and the
+/// progress from the one to the other. Each set of key times that the scene stores has one: tracks of an item
 /// and bones of a skeleton share it where the file says so.
 ///
-/// It goes on from where it stands: only a moment before the present key makes it begin anew.
+/// It continues from its position: only a time before the present key makes it begin anew.
 class KeyTimeline {
 public:
-    /// At no moment yet. `key_times` is the place in the scene's bytes of at least two key times.
+    /// At no time yet. `key_times` is the offset in the scene's bytes of at least two key times.
     KeyTimeline(std::uint32_t key_times, Driver driver) : key_times_{key_times}, driver_{driver} {}
 
-    /// It moves with every moment between two keys, whatever their laws: something follows a smooth curve.
+    /// It changes with every time between two keys, whatever their laws: something follows a smooth curve.
     void move_with_time() { moves_with_time_ = true; }
 
-    /// To a moment of its clock. `scene` has its key times and laws.
+    /// Moves to a time of its driver. `scene` has its key times and laws.
     void move_to(Time time, const SceneView& scene);
 
     Driver driver() const { return driver_; }
     /// All of its key times.
     KeyTimeCursor key_times(const SceneView& scene) const;
 
-    /// What the keys have does not change up to the next of them.
+    /// Whether the values of the keys do not change up to the next of them.
     bool is_held(const SceneView& scene) const;
 
     Time now() const { return now_; }
-    /// Neither before the first key nor from the last one on.
+    /// Whether the time is neither before the first key nor from the last one on.
     bool is_between() const { return is_between_; }
     /// The numbers of both keys: the same one twice where it is not between two.
     std::uint32_t from() const { return from_; }
     std::uint32_t to() const { return from_ + (is_between_ ? 1 : 0); }
     const ProgressXY& progress() const { return progress_; }
     Progress progress(LawAxis axis) const { return axis == LawAxis::y ? progress_.y : progress_.x; }
-    /// The times of both keys, of the one before and of the one behind; only between two keys, and the same
+    /// The times of both keys, of the one before and of the one after; only between two keys, and the same
     /// one again where there is none.
     Time from_time() const { return begin_; }
     Time to_time() const { return end_; }
     Time time_before() const { return before_; }
     Time time_after(const SceneView& scene) const;
 
-    /// Whether the last move led between other keys.
+    /// Whether the last move changed the keys.
     bool has_other_keys() const { return has_other_keys_; }
-    /// Whether it did, or the way has come further.
+    /// Whether it did, or the progress has changed.
     bool has_moved() const { return has_moved_; }
 
 private:
@@ -62,15 +62,15 @@ private:
     KeyTimeCursor key_times_behind(const SceneView& scene) const;
 
     std::uint32_t key_times_;
-    // As long as these are not left, nothing is read.
+    // Within these nothing is read.
     Time begin_ = never;
     Time end_ = always;
     Time before_;
     Time now_;
     ProgressXY progress_;
     std::uint32_t from_ = 0;
-    std::uint16_t laws_ = 0;     ///< for the way between the two keys: SceneView::place_of_laws()
-    std::uint8_t next_laws_ = 0; ///< number of the pair for the way that follows
+    std::uint16_t laws_ = 0;     ///< for the interval between the two keys: SceneView::place_of_laws()
+    std::uint8_t next_laws_ = 0; ///< number of the pair for the interval that follows
     Driver driver_;
     bool is_between_ = false;
     bool moves_with_time_ = false;

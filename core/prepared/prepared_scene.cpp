@@ -68,7 +68,7 @@ void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std
             moved_ = moved_ | dependence_of_input(input);
 }
 
-/// Of all timelines that have come to other ones.
+/// Takes over the values for all timelines that have come to other keys.
 void PreparedScene::take_keys(const SceneView& scene)
 {
     for (TrackState& track : tracks_) {
@@ -154,7 +154,7 @@ bool PreparedScene::has_one_drawing(const Node& node) const
     return more.from == more.to;
 }
 
-/// All of a skeleton, or the one to which the drawing is bound.
+/// Of all bones of a skeleton, or of the one to which the drawing is bound.
 Dependence PreparedScene::dependence_of_bones(const Node& node) const
 {
     const TrackState& skin = key_track(node, KeyValue::more);

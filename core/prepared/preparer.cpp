@@ -32,7 +32,7 @@ void Preparer::add_skeletons()
         add_bones(skeletons.next(), records_.bones);
 }
 
-/// `first`: how many bones the skeletons before have.
+/// `first`: how many bones the previous skeletons have.
 void Preparer::add_bones(const SkeletonView& skeleton, std::uint32_t first)
 {
     const std::uint16_t common = timeline_of(skeleton.common_key_times(), false);
@@ -63,8 +63,8 @@ void Preparer::add_symbols()
         add_root(scene_.symbol(number));
 }
 
-/// A node and all that lies within it; its number. Groups are entered in a loop: their levels take less of
-/// the stack than calls would.
+/// Adds a node and everything within it; returns its number. Groups are entered in a loop: their levels
+/// take less of the stack than calls would.
 std::uint32_t Preparer::add_root(ItemCursor items)
 {
     std::array<Level, kfb::max_depth + 1> levels{};
@@ -87,7 +87,7 @@ std::uint32_t Preparer::add_root(ItemCursor items)
     }
 }
 
-/// What it is besides what lies within it; its number.
+/// Adds an item without what is within it; returns its number.
 std::uint32_t Preparer::add_item(const ItemView& item, std::uint32_t around)
 {
     Node node = node_of(item);
@@ -128,7 +128,7 @@ Node Preparer::node_of(const ItemView& item) const
     return node;
 }
 
-/// Those of all symbols before it lie in front of it.
+/// The nodes of all symbols with lower numbers are before it.
 std::uint16_t Preparer::symbol_node(std::uint32_t symbol) const
 {
     std::uint16_t number = 0;
@@ -137,7 +137,7 @@ std::uint16_t Preparer::symbol_node(std::uint32_t symbol) const
     return number;
 }
 
-/// Whether it has an order.
+/// Returns whether it has an order.
 bool Preparer::add_tracks(const ItemView& item, Node& node)
 {
     bool has_order = false;
@@ -185,7 +185,7 @@ void Preparer::add_track(std::uint8_t property, const KeyTimeCursor& key_times, 
 
 void Preparer::add_track(const TrackState& track) { put_at(room_.tracks, records_.tracks++, track); }
 
-/// None of a single key time.
+/// No timeline for a single key time.
 std::uint16_t Preparer::timeline_of(const KeyTimeCursor& key_times, bool is_smooth)
 {
     if (key_times.count() < 2)
@@ -202,7 +202,7 @@ std::uint16_t Preparer::timeline_of(const KeyTimeCursor& key_times, bool is_smoo
     return timeline_;
 }
 
-/// Of a node behind which all lies that is within it.
+/// For a node after which everything within it is stored.
 bool Preparer::has_several_layers(std::uint32_t number, const Node& node) const
 {
     if (node.is_leaf())

@@ -10,7 +10,7 @@
 namespace kfast {
 
 /// Lays out a scene in flat arrays: walks once through all that it stores, through a symbol once however
-/// often it is used. Without room it counts what it would take.
+/// often it is used. Without room it only counts what would be needed.
 class Preparer {
 public:
     struct Room {
@@ -26,15 +26,15 @@ public:
     void run();
     /// Part of it, for the feature.
     void add_skeletons();
-    /// Afterwards.
+    /// Valid afterwards.
     const SceneRecords& records() const { return records_; }
-    /// Of all timelines.
+    /// The number of keys of all timelines.
     std::uint32_t keys() const { return keys_; }
     /// The number of the scene's own node, the last one that is no item's.
     std::uint32_t root() const { return root_; }
 
 private:
-    /// Items beside each other, and the node that they lie in.
+    /// The items of a list, and the node that they are in.
     struct Level {
         ItemCursor items{ByteReader{{}}};
         std::uint32_t node = 0;
@@ -61,7 +61,7 @@ private:
     SceneRecords records_;
     std::uint32_t root_ = 0;
     std::uint32_t keys_ = 0;
-    std::uint32_t key_times_ = 0;                      ///< the place of those that were met last
+    std::uint32_t key_times_ = 0;                      ///< the offset of those that were met last
     std::uint16_t timeline_ = TrackState::no_timeline; ///< theirs
 };
 

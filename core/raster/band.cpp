@@ -39,7 +39,7 @@ void Band::advance(int number)
     count_ops_for(0);
 }
 
-/// Of a list of chains that are in the state of so many bands above, those that reach the band.
+/// Links those chains of the list that reach the band; their state is that of `bands_above` above it.
 void Band::take(std::uint32_t list, int bands_above)
 {
     for (std::uint32_t next = Chain::none; list != Chain::none; list = next) {
@@ -80,7 +80,7 @@ void Band::wind(SlotMask even_odd)
         windings_.fill(0);
 }
 
-/// From a band that is so many bands above.
+/// Moves the chain on from its state `bands` bands above.
 void Band::move_on(Chain& chain, int bands)
 {
     if (chain.is_straight)
@@ -92,7 +92,7 @@ void Band::move_on(Chain& chain, int bands)
         chain.bends -= std::uint32_t{sizeof(Bend)};
 }
 
-/// A chain reaches the pixels of all its corners and crossings, also where it touches but their left border.
+/// A chain reaches the pixels of all its corners and crossings, also where it only touches their left border.
 /// So pieces of an outline that meet within the band overlap, and where no piece is, all rows of the band are
 /// alike.
 void Band::find_columns(Chain& chain) const
@@ -106,7 +106,7 @@ void Band::find_columns(Chain& chain) const
     find_range(chain, 0, floor_pixel(height), bottom_);
 }
 
-/// Of a chain that begins or ends in the band.
+/// Finds the rows and the part of the height of a chain that begins or ends in the band.
 void Band::find_part(Chain& chain) const
 {
     const std::int32_t from = std::max(top_, chain.top);
@@ -122,7 +122,7 @@ void Band::find_part(Chain& chain) const
     find_range(chain, first, last, to);
 }
 
-/// The columns, by the crossings `first` to `last` and the bends down to `bottom`.
+/// Finds the columns, from the crossings `first` to `last` and the bends down to `bottom`.
 void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) const
 {
     const Crossing* x = crossings(chain, first);
@@ -143,8 +143,8 @@ void Band::find_range(Chain& chain, int first, int last, std::int32_t bottom) co
     chain.end = static_cast<std::int16_t>(std::max(floor_pixel(high) + chain.left + 1, 1));
 }
 
-/// Mostly behind the one that came before: chains come in the order of the band above, or follow each other
-/// along an outline.
+/// The place is mostly after the previous one: chains come in the order of the band above, or follow each
+/// other along an outline.
 void Band::insert(std::uint32_t place)
 {
     Chain& added = chain(place);

@@ -18,12 +18,12 @@ namespace kfast::raster {
 /// come from the top down.
 class Band {
 public:
-    /// In front of the first band of a picture; `store` and `steps` must outlive it. Chains to the right of
+    /// Goes before the first band of a picture; `store` and `steps` must outlive it. Chains to the right of
     /// the panel are left out.
     void begin(const OutlineStore& store, std::span<const PaintStep> steps, Size panel);
-    /// To a band further down. Chains that come into the list have the slots of their layers.
+    /// Moves on to a band further down. Chains that come into the list have the slots of their layers.
     void advance(int number);
-    /// To the next one.
+    /// Moves on to the next band.
     void advance() { advance(number_ + 1); }
     /// All chains have the slots of their layers, which may have changed.
     void take_slots();
@@ -31,7 +31,7 @@ public:
     void wind(SlotMask even_odd);
 
     int number() const { return number_; }
-    /// Of the panel.
+    /// In rows of the panel.
     int top_row() const { return number_ << store_->band_bits(); }
     int row_count() const;
     int panel_width() const { return panel_.width; }

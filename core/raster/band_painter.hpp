@@ -17,9 +17,9 @@ namespace kfast::raster {
 
 /// Paints regions of a band.
 ///
-/// What a pixel becomes depends on the picture alone: every method lays the same layers on each other from
-/// the lowest upwards, with the same coverages. Most regions have one edge between two colours, for which
-/// there is a method of its own.
+/// What a pixel becomes depends on the picture alone: every method paints the same layers over each other
+/// from the lowest upwards, with the same coverages. Most regions have one edge between two colours, for
+/// which there is a method of its own.
 template <class Cells>
 class BandPainter {
 public:
@@ -32,7 +32,7 @@ public:
     {
     }
 
-    /// What of a region lies in the columns of the tile.
+    /// Paints the part of the region that is within the columns of the tile.
     void paint(const Region& region, const Tile<Cells>& tile)
     {
         count_op(Op::region);
@@ -77,7 +77,7 @@ private:
             fill(at, tile.columns, cell);
     }
 
-    /// False if the region has anything else.
+    /// Returns false if the region has anything else.
     bool paint_single_edge(const Region& region, SlotMask crossing, const Tile<Cells>& tile) const
     {
         const Chain& chain = band_.chain(region.first);
@@ -122,14 +122,14 @@ private:
             *to = *from;
     }
 
-    /// Of a pixel that an edge crosses, `right` of it to the right of the edge; the layer is inside on its
-    /// left side or on its right one.
+    /// The coverage of a pixel that an edge crosses, `right` of it to the right of the edge; the layer is
+    /// inside on the left side of the edge or on its right one.
     static std::int32_t inside_coverage(std::int32_t right, bool is_inside_left)
     {
         return is_inside_left ? full_coverage - right : right;
     }
 
-    /// From the topmost opaque layer that covers all of the region.
+    /// Starts with the topmost opaque layer that covers all of the region.
     void paint_layers(const Region& region, SlotMask crossing, const Tile<Cells>& tile)
     {
         const SlotMask solid = top_bit(region.inside & ~crossing & ~slots_.clear);
@@ -145,10 +145,10 @@ private:
         }
     }
 
-    /// How a layer is laid on what is below it.
+    /// How a layer is blended over what is below it.
     struct Coat {
         std::uint32_t ink;
-        std::uint32_t opacity; ///< a share
+        std::uint32_t opacity; ///< a fraction, as Cells::share()
 
         std::uint32_t share_of(std::int32_t coverage) const
         {
@@ -217,7 +217,7 @@ private:
             *cell = Cells::cell(Cells::mixed(Cells::ink_of(*cell), ink, share));
     }
 
-    /// Step by step, with groups.
+    /// Paints step by step, with groups.
     [[gnu::cold, gnu::noinline]] void paint_steps(const Region& region, const Tile<Cells>& tile)
     {
         fill_all(tile, Cells::cell(slots_.background_ink));

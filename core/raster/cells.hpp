@@ -25,7 +25,7 @@ struct Rgb565Cells {
     static constexpr Cell cell(std::uint32_t ink) { return static_cast<Cell>(ink | ink >> 16); }
     static constexpr std::uint32_t ink_of(Cell cell) { return spread(cell); }
 
-    /// The share of a pixel that is mixed for a coverage of 0 … full_coverage, rounded to nearest.
+    /// The fraction of a pixel that is mixed for a coverage of 0 … full_coverage, rounded to nearest.
     static constexpr std::uint32_t share(std::int32_t coverage)
     {
         return (static_cast<std::uint32_t>(coverage) + 4) >> 3;
@@ -85,21 +85,21 @@ struct GreyCells {
     }
 };
 
-/// How much of an ink is laid on if it is not opaque: its opacity, 0 … 255, as a share.
+/// How much of an ink is mixed in if it is not opaque: its opacity, 0 … 255, as a fraction.
 template <class Cells>
 constexpr std::uint32_t opacity_share(std::uint32_t opacity)
 {
     return (opacity * Cells::full_share + 127) / 255;
 }
 
-/// A share of a share, rounded to nearest.
+/// A fraction of a fraction, rounded to nearest.
 template <class Cells>
 constexpr std::uint32_t product_of_shares(std::uint32_t a, std::uint32_t b)
 {
     return (a * b + Cells::full_share / 2) / Cells::full_share;
 }
 
-/// Of the cells of a tile.
+/// The size of the cells of a tile.
 inline constexpr std::size_t tile_bytes = 512;
 
 /// Pixels of a few rows of a band that are painted together.
@@ -129,10 +129,10 @@ template <class Cell>
         *at = cell;
 }
 
-/// Shorter stretches are filled cell by cell.
+/// Shorter runs are filled cell by cell.
 inline constexpr int short_stretch = 12;
 
-/// Pairs of cells in words.
+/// Fills two cells at a time, as words.
 [[gnu::noinline]] inline void fill_pairs(std::uint16_t* at, int count, std::uint16_t cell)
 {
     if ((reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {

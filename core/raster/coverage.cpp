@@ -10,7 +10,7 @@
 namespace kfast::raster {
 namespace {
 
-/// Of an edge that is `width` wide: how much of its row lies to the left of a point on it.
+/// An edge that is `width` wide: how much of its row is to the left of a point on it.
 class Ramp {
 public:
     explicit Ramp(std::uint32_t width)
@@ -25,8 +25,8 @@ public:
     {
         return static_cast<std::int32_t>((length * length * inverse_) >> (shift_ - 1));
     }
-    /// The same of pixels that it crosses from side to side, the first of them `length` behind its begin:
-    /// calls put(area) for so many of them.
+    /// The same for pixels that it crosses from side to side, the first of them `length` after its beginning:
+    /// calls put(area) for each of that many pixels.
     template <class Put>
     void slices(std::uint32_t length, int count, Put put) const
     {
@@ -67,7 +67,7 @@ private:
 
 }
 
-/// Nearly all edges are short enough for the table of reciprocals, and lie within the tile. Ramp gives the
+/// Nearly all edges are short enough for the table of reciprocals, and within the tile. Ramp gives the
 /// same.
 void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
 {
@@ -90,7 +90,7 @@ void cover_flat(const RowEdge& edge, int columns, CoverageRun& run)
     *out = static_cast<std::uint16_t>(full_coverage - (length * length * inverse >> 15));
 }
 
-/// What lies to the left of the tile counts from its first pixel on.
+/// What is to the left of the tile counts from its first pixel on.
 void CoverageSums::put(int column, std::int32_t area, int columns)
 {
     if (column < columns)
@@ -113,7 +113,7 @@ void CoverageSums::add(const RowEdge& edge, std::int32_t direction, int columns)
         columns);
 }
 
-/// What is inside is rounded, as in sums of all edges of a row.
+/// The inside is rounded, as in sums of all edges of a row.
 void CoverageSums::take(bool runs_down, bool is_inside_left, CoverageRun& run)
 {
     std::int32_t sum = 0;
@@ -139,7 +139,7 @@ void CoverageSums::add_part(std::int32_t a, std::int32_t b, std::int32_t height,
         add_wide_part(b, a, height, columns);
 }
 
-/// Of an edge within a pixel; `ends` is how far its ends lie to the right of the pixel's left border.
+/// Adds an edge within a pixel; `ends` is how far its ends are to the right of the pixel's left border.
 void CoverageSums::put_part(int column, std::int32_t height, std::int32_t ends, int columns)
 {
     static_assert(part_height * whole == full);

@@ -29,9 +29,9 @@ struct RowEdge {
     std::int32_t high;
 
     int pixel() const { return floor_pixel(low); }
-    /// It stays within one pixel.
+    /// Whether it stays within one pixel.
     bool is_steep() const { return high <= (pixel() + 1) * grid; }
-    /// How much of that pixel lies to the right of the edge.
+    /// How much of that pixel is to the right of the edge.
     std::int32_t steep_coverage() const { return 4 * (pixel() + 1) * grid - 2 * (low + high); }
 };
 
@@ -40,10 +40,10 @@ constexpr RowEdge edge_between(std::int32_t a, std::int32_t b)
     return a < b ? RowEdge{a, b} : RowEdge{b, a};
 }
 
-/// As cover(), of an edge that is not steep.
+/// As cover(), for an edge that is not steep.
 [[gnu::noinline]] void cover_flat(const RowEdge& edge, int columns, CoverageRun& run);
 
-/// How much of the pixels that an edge touches lies to the right of it, within 0 … `columns`.
+/// How much of the pixels that an edge touches is to the right of it, within 0 … `columns`.
 inline void cover(const RowEdge& edge, int columns, CoverageRun& run)
 {
     if (!edge.is_steep())
@@ -60,9 +60,9 @@ inline void cover(const RowEdge& edge, int columns, CoverageRun& run)
 ///     coverage       a a+b  1   1 1-c  0   0      the sum of all up to a pixel
 class CoverageSums {
 public:
-    /// Of a pixel that is covered once.
+    /// The sum for a pixel that is covered once.
     static constexpr std::int32_t full = full_coverage << 9;
-    /// Of an edge from one border of the row to the other.
+    /// The height of an edge from one border of the row to the other.
     static constexpr std::int32_t part_height = 1024;
 
     /// The edge of an outline that runs down if `direction` is 1, and up if it is -1.
@@ -70,13 +70,13 @@ public:
     /// A part of an edge, from x = a to b; `height` is negative if the outline runs up.
     void add_part(std::int32_t a, std::int32_t b, std::int32_t height, int columns);
 
-    /// So many times a whole row, from a column on.
+    /// Adds a whole row `windings` times, from a column on.
     void add_windings(int column, std::int32_t windings, int columns)
     {
         put(column, windings * full, columns);
     }
 
-    /// Of edges to the left of the tile, in the grid; negative if outlines run up.
+    /// Adds the height of edges to the left of the tile, in the grid; negative if outlines run up.
     void add_height(std::int32_t height) { sums_[0] += height * (full / grid); }
 
     /// The coverage of a pixel with an area, rounded to nearest.
@@ -87,18 +87,18 @@ public:
     }
 
     /// The coverages of an edge whose parts are all that was added, and which touches the pixels from
-    /// run.begin up to run.end: what lies to the right of it. The layer is inside on its left side or on its
-    /// right one. All is forgotten.
+    /// run.begin up to run.end: what is to the right of it. The layer is inside on its left side or on its
+    /// right one. Clears the sums.
     void take(bool runs_down, bool is_inside_left, CoverageRun& run);
 
-    /// Calls span(begin, end, sum) for stretches of pixels that have the same sum; to the left of them it is
-    /// `sum`. All is forgotten.
+    /// Calls span(begin, end, sum) for runs of pixels that have the same sum; to the left of them it is
+    /// `sum`. Clears the sums.
     template <class Span>
     void sum_up(int columns, std::int32_t sum, Span span)
     {
         std::int32_t* const begin = sums_.data();
         std::int32_t* const end = begin + columns;
-        *end = 1; // ends the last stretch
+        *end = 1; // ends the last run
         for (std::int32_t* at = begin; at != end;) {
             const std::int32_t* const from = at;
             sum += *at;

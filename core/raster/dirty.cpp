@@ -10,7 +10,7 @@ namespace {
 
 constexpr int far = 0x7FFF;
 
-/// Where the walk from left to right stands.
+/// The state of the walk from left to right.
 class Walk {
 public:
     Walk(const Band& band, std::span<const Record::Border> shown, std::span<const PaintStep> shown_steps,
@@ -46,7 +46,7 @@ private:
     }
     void read_border() { shown_begin_ = border_ == borders_end_ ? far : border_->begin; }
 
-    /// Returns its end.
+    /// Returns the end of the cluster.
     int pass_cluster(int begin)
     {
         const SlotMask left = inside_;
@@ -106,9 +106,9 @@ private:
         return end;
     }
 
-    /// Of the regions of a cluster that was passed, what only layers touch that look as before is as it was:
-    /// rows, and columns to the left, and to the right if the same layers cover what comes then. Each region
-    /// is touched by another layer: these are not the only ones that keep the cluster together.
+    /// Trims the regions of a cluster that was passed: where only unchanged layers are, nothing changes, that
+    /// is in rows, in columns to the left, and to the right if the same layers cover what comes then. Each
+    /// region is touched by another layer: these are not the only ones that keep the cluster together.
     [[gnu::noinline]] void trim(Region* region, std::uint32_t first, const Record::Border* border)
     {
         int moved_begin = far;
@@ -136,8 +136,8 @@ private:
         }
     }
 
-    /// Of the chain that comes next and those behind it, up to end_region(). If there is no room, the last
-    /// one takes it in, with all that lies between.
+    /// Begins a region with the next chain and those after it, up to end_region(). If there is no room, the
+    /// last region is extended to it, with all that is between.
     [[gnu::noinline]] void begin_region(int begin)
     {
         if (end_ == regions_ + RegionList::max_count) {
@@ -167,17 +167,17 @@ private:
     const Band& band_;
     std::span<const PaintStep> steps_;
     const Slots& slots_;
-    const SlotMask fixed_; ///< layers that are where they were, and look as before
+    const SlotMask fixed_; ///< layers that have not moved, and look as before
     Region* const regions_;
-    Region* end_; ///< behind the last one
+    Region* end_; ///< after the last one
     int columns_;
-    bool is_known_;                     ///< what the panel shows
-    std::uint32_t place_ = Chain::none; ///< of the chain that comes next
-    const Record::Border* border_;      ///< that comes next
+    bool is_known_;                     ///< whether what the panel shows is known
+    std::uint32_t place_ = Chain::none; ///< the chain that comes next
+    const Record::Border* border_;      ///< the one that comes next
     const Record::Border* borders_end_;
     int begin_ = 0;
     int shown_begin_ = 0;
-    SlotMask inside_ = 0; ///< layers that cover what was passed last
+    SlotMask inside_ = 0; ///< layers that cover the columns passed last
     SlotMask shown_inside_ = 0;
 };
 

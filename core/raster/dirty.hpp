@@ -12,7 +12,7 @@
 
 namespace kfast::raster {
 
-/// An area of a panel and what is to be seen there, row by row; every row starts on a byte.
+/// An area of a panel and the pixels to be shown there, row by row; every row starts on a byte.
 struct Change {
     Rect area;
     std::span<const std::byte> pixels;
@@ -26,7 +26,7 @@ struct Region {
     std::uint32_t first = Chain::none;  ///< its first chain, in the list of the band
     std::uint32_t behind = Chain::none; ///< the first chain that is not in it any more
     RowMask rows = all_rows;            ///< those between the first and the last are drawn
-    bool has_slots = true;              ///< its chains have; else `inside` is 0
+    bool has_slots = true;              ///< whether its chains have slots; else `inside` is 0
 };
 
 /// Regions of a band from left to right.
@@ -39,13 +39,13 @@ public:
     bool is_empty() const { return count_ == 0; }
 
     void clear() { count_ = 0; }
-    /// All of a band, if nothing is known of its layers.
+    /// Sets one region with all of a band, if nothing is known of its layers.
     void set_whole(int columns, std::uint32_t first)
     {
         regions_[0] = {.end = static_cast<std::int16_t>(columns), .first = first, .has_slots = false};
         count_ = 1;
     }
-    /// For whoever fills the list: there is room for max_count of them, and end_at() tells where they end.
+    /// For filling the list: there is room for max_count of them, and end_at() sets their end.
     Region* data() { return regions_.data(); }
     void end_at(const Region* end) { count_ = static_cast<std::size_t>(end - regions_.data()); }
 
@@ -54,11 +54,11 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Finds what of a band differs from what the panel shows, `shown` by borders and by steps.
+/// Finds where a band differs from what the panel shows: `shown`, given by borders and by steps.
 ///
-/// Chains of both pictures are gone through from left to right. What overlaps, directly or by others, is a
+/// Chains of both pictures are visited from left to right. Those that overlap, directly or by others, are a
 /// cluster: dirty if its layers have moved or look different. Between clusters all rows are alike, so that
-/// the layers on either side tell whether a gap is dirty.
+/// the layers on either side determine whether a gap is dirty.
 ///
 ///     shown    |---|     |---|           |---|
 ///     coming     |---|   |---|                   |---|
@@ -69,7 +69,7 @@ void find_dirty(const Band& band, std::span<const Record::Border> shown,
 /// All columns of a band, as if nothing were known of the panel.
 void find_all(const Band& band, const Slots& slots, int columns, RegionList& regions);
 
-/// What lies in some columns of a band, with all chains that they are in one cluster with.
+/// The region of these columns, with all chains that are in one cluster with those in them.
 [[gnu::cold, gnu::noinline]] Region region_between(const Band& band, int begin, int end);
 
 }

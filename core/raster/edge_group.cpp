@@ -23,7 +23,7 @@ public:
         has_zero_ = has_zero_ || winding == 0;
     }
 
-    /// Whether sums of areas tell the coverage.
+    /// Whether sums of areas give the coverage.
     bool areas_add_up(FillRule rule) const
     {
         return max_ - min_ <= 1 || (rule == FillRule::nonzero && !has_zero_);
@@ -35,7 +35,7 @@ private:
     bool has_zero_ = false;
 };
 
-/// Of chains that are in order, calls visit(chain, sign) for those between inside and outside; sign is 1 if
+/// For chains that are in order, calls visit(chain, sign) for those between inside and outside; sign is 1 if
 /// the inside begins there.
 template <class Visit>
 void each_border(std::span<const RowChain> chains, FillRule rule, std::int32_t winding, Visit visit)
@@ -60,7 +60,7 @@ void add_in_order(std::span<const RowChain> chains, FillRule rule, std::int32_t 
 
 /// Two straight edges that follow each other cross at a height of a row, from its top, in part_height.
 struct EdgeCrossing {
-    std::int32_t height = CoverageSums::part_height; ///< none if this is it
+    std::int32_t height = CoverageSums::part_height; ///< this value: they do not cross
     std::size_t left = 0;                            ///< the number of the left edge
 };
 
@@ -83,7 +83,7 @@ EdgeCrossing next_crossing(std::span<const RowChain> chains, std::int32_t top)
     return next;
 }
 
-/// Rounded to nearest: the same for the part that ends there and the one that begins.
+/// Rounded to nearest: the same for the part that ends at this height and the one that begins there.
 std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
 {
     constexpr std::int32_t whole = CoverageSums::part_height;
@@ -91,8 +91,8 @@ std::int32_t x_at_height(const RowChain& chain, std::int32_t height)
     return chain.top_x + (((chain.bottom_x - chain.top_x) * height + whole / 2) >> 10);
 }
 
-/// Adds edges between inside and outside alone, of straight edges that may cross: part by part of the row,
-/// from crossing to crossing.
+/// Adds only the edges between inside and outside, for straight edges that may cross: part by part of the
+/// row, from crossing to crossing.
 ///
 ///     a   b c      they are in order at the top
 ///      \ / /
@@ -130,7 +130,7 @@ bool each_line(std::span<const RowChain> chains, Visit visit)
     return true;
 }
 
-/// Whether sums of areas tell the coverage, by the windings on lines. Lines take much stack: not while areas
+/// Whether sums of areas give the coverage, by the windings on lines. Lines take much stack: not while areas
 /// are added.
 [[gnu::noinline]] bool areas_add_up_on_lines(std::span<const RowChain> chains, FillRule rule,
                                              std::int32_t winding)
@@ -168,13 +168,13 @@ GroupKind kind_of(std::span<const RowChain> chains)
 
 bool has_bends(const RowChain& chain) { return chain.bend->y <= chain.top + chain.to; }
 
-/// Whether no corner of a chain lies to the right of another one, or, if `sign` is -1, to the left of it, by
-/// more than what is rounded; both go through the same part of the row, and their ends lie as they must.
+/// Whether no corner of a chain is to the right of another one, or, if `sign` is -1, to the left of it, by
+/// more than what is rounded; both go through the same part of the row, with their ends in order.
 [[gnu::noinline]] bool stays_beside(const RowChain& chain, const RowChain& other, std::int32_t sign)
 {
     if (!has_bends(chain))
         return true;
-    // All of the other one lies on this side.
+    // All of the other one is on this side.
     const std::int32_t side = has_bends(other) ? (sign > 0 ? other.first : other.last + 1) * grid
                               : sign > 0       ? std::min(other.top_x, other.bottom_x)
                                                : std::max(other.top_x, other.bottom_x);
@@ -190,8 +190,8 @@ bool are_apart(const RowChain& left, const RowChain& right)
     return stays_beside(left, right, 1) && stays_beside(right, left, -1);
 }
 
-/// Whether two chains do not cross: one goes on where the other ends, or they lie on either side of a part of
-/// the row.
+/// Whether two chains do not cross: one continues where the other ends, or they are on either side of a part
+/// of the row.
 bool are_plain(const RowChain& a, const RowChain& b)
 {
     if (a.runs_down == b.runs_down)
@@ -218,7 +218,7 @@ bool areas_add_up(std::span<const RowChain> chains, GroupKind kind, FillRule rul
     return windings.areas_add_up(rule);
 }
 
-/// The first pixel of a group, and that behind it.
+/// The first pixel of a group, and the one after its last.
 std::pair<int, int> columns_of(std::span<const RowChain> chains)
 {
     std::pair<int, int> columns{chains[0].first, 0};
@@ -229,7 +229,7 @@ std::pair<int, int> columns_of(std::span<const RowChain> chains)
     return columns;
 }
 
-/// By their upper ends, so that their order before does not matter.
+/// Sorts by the upper ends, so that the order before does not matter.
 [[gnu::noinline]] void sort(std::span<RowChain> chains)
 {
     const auto is_before = [](const RowChain& a, const RowChain& b) {

@@ -95,7 +95,7 @@ void LayerRow::begin_list(std::uint32_t first, std::int32_t winding)
     has_few_ = are_apart_ = true;
 }
 
-/// Of the chains in the list, those between inside and outside.
+/// Finds those chains in the list that are between inside and outside.
 void LayerRow::find_borders()
 {
     std::int32_t winding = winding_ >> band_->height_bits();
@@ -186,15 +186,15 @@ void LayerRow::add_few(int row)
     add_groups(count, no_pixel, winding_ >> band_->height_bits());
 }
 
-/// Of the first `count` chains of group_, which are in order by their first pixels but for the last one.
+/// Sorts the first `count` chains of group_, which are in order by their first pixels except the last.
 void LayerRow::sort_last(std::size_t count)
 {
     for (std::size_t place = count - 1; place != 0 && group_[place - 1].first > group_[place].first; --place)
         std::swap(group_[place - 1], group_[place]);
 }
 
-/// Of the first `count` chains of group_, whose count becomes that of the others, the groups that end before
-/// a pixel, and reach the tile or lie to the left of it. Returns the winding to the right of them.
+/// Adds those groups of the first `count` chains of group_ that end before pixel `limit`, and reach the tile
+/// or are left of it; `count` is set to that of the other chains. Returns the winding to the right of them.
 std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t winding)
 {
     std::size_t begin = 0;
@@ -214,7 +214,7 @@ std::int32_t LayerRow::add_groups(std::size_t& count, int limit, std::int32_t wi
     return winding;
 }
 
-/// False if the chain does not reach the row.
+/// Returns false if the chain does not reach the row.
 bool LayerRow::find_row_chain(const Chain& chain, int row, RowChain& found) const
 {
     const Way way = way_through(*band_, chain, row);

@@ -21,17 +21,17 @@ public:
     explicit LayerRow(CoverageSums& sums) : sums_{sums} {}
     LayerRow(const LayerRow&) = delete;
 
-    /// The chains of a layer that lie in a region; columns are counted from `left` from now on, and end at
-    /// `columns`. False if there are none.
+    /// Takes the chains of a layer in a region; columns are counted from `left` from now on, and end at
+    /// `columns`. Returns false if there are none.
     bool begin(const Band& band, const Region& region, std::uint16_t layer, FillRule rule, int left,
                int columns);
     bool is_inside_at_left() const { return kfast::is_inside(rule_, winding_ >> band_->height_bits()); }
 
-    /// Finds the edges of a row of the band between what is inside and what is outside. False if they do not
-    /// tell the coverage: then sum_up() does.
+    /// Finds the edges of a row of the band between what is inside and what is outside. Returns false if they
+    /// do not give the coverage: then sum_up() does.
     bool find_edges(int row);
     std::size_t edge_count() const { return edge_count_; }
-    /// How much of the pixels that such an edge touches lies to the right of it; the layer is inside on its
+    /// How much of the pixels that such an edge touches is to the right of it; the layer is inside on its
     /// left side or on its right one.
     [[gnu::noinline]] void cover_edge(std::size_t number, bool is_inside_left, CoverageRun& run);
 
@@ -51,9 +51,9 @@ private:
     struct ListedChain {
         const Chain* chain;
         const Crossing* x;  ///< at the borders of the rows of the band
-        std::int32_t start; ///< what these count at the left border of the tile
+        std::int32_t start; ///< what these count from, at the left border of the tile
 
-        /// In a row that it goes through without bends.
+        /// The edge in a row that it goes through without bends.
         [[gnu::always_inline]] RowEdge edge(int row) const
         {
             return edge_between(x[row] - start, x[row + 1] - start);
@@ -81,7 +81,7 @@ private:
     std::int32_t add_cluster(const Cluster& cluster, int row, std::int32_t winding);
     [[gnu::cold, gnu::noinline]] std::int32_t add_crowd(const Cluster& cluster, int row, int begin,
                                                         std::int32_t winding);
-    /// Calls what it is given for each chain of a group.
+    /// Calls the function that it is given for each chain of a group.
     using EachChain = FunctionRef<void(FunctionRef<void(const RowChain&)>)>;
     [[gnu::cold, gnu::noinline]] std::int32_t add_large_group(EachChain each_chain, std::int32_t winding);
     int end_of_group(const Cluster& cluster, int row, int begin) const;
@@ -95,18 +95,18 @@ private:
     FillRule rule_ = FillRule::nonzero;
     int left_ = 0;
     int columns_ = 0;
-    int begin_ = 0;            ///< pixels of chains that are left of here do not matter in the row
+    int begin_ = 0;            ///< pixels of chains to the left of it do not matter in the row
     std::int32_t winding_ = 0; ///< to the left of all chains, in the unit of Chain::winding
-    bool has_few_ = false;     ///< chains: they are in the list
+    bool has_few_ = false;     ///< the chains are few: they are in the list
     bool are_apart_ = false;   ///< all chains go through the band without touching the same column
     std::size_t chain_count_ = 0;
     std::size_t edge_count_ = 0;
-    int row_ = 0; ///< that find_edges() was asked for, if they are apart
+    int row_ = 0; ///< the row that find_edges() was called for, if they are apart
     std::array<ListedChain, max_edges> chains_;
     std::array<const ListedChain*, max_edges> borders_; ///< if they are apart: those that are edges
     std::array<RowEdge, max_edges> edges_;              ///< if they are not
     std::array<const RowChain*, max_edges>
-        bent_; ///< in place of an edge: one that bends; null if it does not
+        bent_; ///< in place of an edge: the chain that bends; null if it does not
     std::array<RowChain, max_group> group_;
     CoverageSums& sums_;
 };

@@ -31,7 +31,7 @@ void LayerRow::add_many(int row)
     add_cluster(cluster, row, winding);
 }
 
-/// Calls visit(chain) for the chains of the layer that reach the row, or lie left of the panel in it.
+/// Calls visit(chain) for the chains of the layer that reach the row, or are left of the panel in it.
 void LayerRow::each_left_chain(int row, FunctionRef<void(const RowChain&)> visit) const
 {
     for (std::uint32_t place = first_; place != behind_; place = band_->chain(place).next) {
@@ -43,8 +43,8 @@ void LayerRow::each_left_chain(int row, FunctionRef<void(const RowChain&)> visit
     }
 }
 
-/// Chains that lie left of the panel, and of a group that reaches into it, count by their heights alone,
-/// however many they are. Returns the winding to the right of them.
+/// Chains that are left of the panel, and those of a group that reaches into it, count by their heights
+/// alone, however many they are. Returns the winding to the right of them.
 std::int32_t LayerRow::add_left_of_panel(int row)
 {
     begin_ = -left_;
@@ -82,7 +82,7 @@ void LayerRow::each_chain(const Cluster& cluster, int row,
     }
 }
 
-/// Chains come in the order of their columns in the band: what lies left of these is complete. Returns the
+/// Chains come in the order of their columns in the band: what is left of these is complete. Returns the
 /// winding to the right of the cluster.
 std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t winding)
 {
@@ -94,7 +94,7 @@ std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t
             winding = add_groups(count, begin, winding);
         if (begin >= columns_ && (count == 0 || group_[0].first >= columns_)) {
             count = 0;
-            return false; // nothing of the tile is left
+            return false; // the rest is not in the tile
         }
         is_crowd = count == max_group;
         if (is_crowd)
@@ -108,7 +108,7 @@ std::int32_t LayerRow::add_cluster(const Cluster& cluster, int row, std::int32_t
     return is_crowd ? add_crowd(cluster, row, done, winding) : add_groups(count, no_pixel, winding);
 }
 
-/// From a pixel on, if there are so many chains that each group has to be looked for.
+/// Adds the groups from a pixel on, if there are so many chains that each group has to be looked for.
 std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std::int32_t winding)
 {
     for (;;) {
@@ -136,7 +136,7 @@ std::int32_t LayerRow::add_crowd(const Cluster& cluster, int row, int begin, std
     }
 }
 
-/// Line by line, and each of these part by part.
+/// Adds a group line by line, and each line part by part.
 std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t winding)
 {
     int first = no_pixel;
@@ -162,7 +162,7 @@ std::int32_t LayerRow::add_large_group(EachChain each_chain, std::int32_t windin
     return right;
 }
 
-/// The last pixel of the first group whose pixels lie at `begin` or further to the right; no_pixel if there
+/// The last pixel of the first group whose pixels are at `begin` or further to the right; no_pixel if there
 /// is none.
 int LayerRow::end_of_group(const Cluster& cluster, int row, int begin) const
 {

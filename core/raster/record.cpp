@@ -9,7 +9,7 @@ namespace kfast::raster {
 
 namespace {
 
-/// To a place before it. The memory need not be aligned to words, where copying byte by byte would take long.
+/// Copies to an address before it. Memory need not be aligned to words, where copying bytes would be slow.
 void copy_borders(const Record::Border* from, std::size_t count, Record::Border* to)
 {
     const auto* source = reinterpret_cast<const Halfword*>(from);
@@ -38,7 +38,7 @@ void Record::begin_picture()
     is_apart_ = false;
 }
 
-/// Between what is written and what is still to be read: by an even number of borders, which are whole words.
+/// Makes room between what is written and what is to be read, by an even number of borders: whole words.
 void Record::make_room()
 {
     is_apart_ = true;

@@ -13,7 +13,7 @@
 
 namespace kfast::raster {
 
-/// How the cells of a row become pixels of a panel. A format that has `is_direct` has pixels that are cells.
+/// How the cells of a row become pixels of a panel. For a format that has `is_direct`, pixels are cells.
 template <PixelFormat format>
 struct Packing;
 
@@ -28,7 +28,7 @@ template <>
 struct Packing<PixelFormat::rgb565_be> {
     using Cells = Rgb565Cells;
     static constexpr bool is_direct = true;
-    /// Swaps the bytes of so many pixels.
+    /// Swaps the bytes of `count` pixels.
     static void finish(std::uint16_t* pixels, std::size_t count)
     {
         for (std::uint16_t* const end = pixels + count; pixels != end; ++pixels)
@@ -36,7 +36,7 @@ struct Packing<PixelFormat::rgb565_be> {
     }
 };
 
-/// 0 … 255 in so many bits, rounded to nearest.
+/// 0 … 255 in `bits` bits, rounded to nearest.
 template <int bits>
 constexpr std::uint32_t narrowed(std::uint32_t channel)
 {
@@ -125,8 +125,8 @@ struct Packing<PixelFormat::mono1_dithered> {
     }
 };
 
-/// What the panel shows: where the borders of layers ran in each band of rows of the last picture. It is read
-/// band by band while that of the next picture is written into the same memory:
+/// What the panel shows: where the borders of layers were in each band of rows of the last picture. It is
+/// read band by band while that of the next picture is written into the same memory:
 ///
 ///     | written >   free   | still to be read |
 ///
@@ -143,30 +143,30 @@ public:
         std::uint16_t rows : 4 = 0; ///< as in Chain
     };
 
-    /// Bands with others are not known.
+    /// Bands with other layers are not known.
     static constexpr std::uint16_t max_layer = 2047;
 
     Record() = default;
     /// `counts` has an element for each band.
     Record(std::span<Border> borders, std::span<std::uint8_t> counts);
 
-    /// Nothing is known of the panel.
+    /// From now on nothing is known of the panel.
     void forget();
-    /// From the first band on.
+    /// Starts again with the first band.
     void begin_picture();
 
     /// How many of the first `bands` are not known.
     int unknown_count(int bands) const;
     bool is_known(int band) const { return counts_[static_cast<std::size_t>(band)] != unknown; }
-    /// The next band, which is known, looks as it did. `shown` are the steps of that picture, whose partners
+    /// The next band, which is known, is unchanged. `shown` are the steps of that picture, whose partners
     /// are found; none if all of them have kept their numbers.
     void pass_band(int band, std::span<const PaintStep> shown);
-    /// Of the next band: what was in it, until add() is called; nothing if it is not known.
+    /// The borders of the next band, until add() is called; none if it is not known.
     std::span<const Border> begin_band(int band);
-    /// Chains of the band in the next picture.
+    /// Adds a chain of the band in the next picture.
     void add(const Chain& chain);
     void end_band();
-    /// It is not known what the panel shows of it.
+    /// From now on it is not known what the panel shows of the band.
     void drop_band();
 
 private:
@@ -179,10 +179,10 @@ private:
     Border* read_ = nullptr;
     Border* read_end_ = nullptr;
     Border* written_ = nullptr;  ///< of all bands that are finished
-    Border* band_end_ = nullptr; ///< of the band
+    Border* band_end_ = nullptr; ///< the end of the band
     int band_ = 0;
-    bool has_capacity_ = true; ///< for the band
-    bool is_apart_ = false;    ///< what is to be read, from what is written
+    bool has_capacity_ = true; ///< whether there is room for the band
+    bool is_apart_ = false;    ///< whether what is to be read is apart from what is written
 };
 
 static_assert(sizeof(Record::Border) == 6);

@@ -22,7 +22,7 @@ int band_bits_for(Size granularity, int columns)
     return bits;
 }
 
-/// As wide as another area, which ends where it begins: its pixels follow those of the other one.
+/// Whether an area is as wide as another that ends where it begins: its pixels follow those of the other.
 bool lies_below(Rect area, Rect above)
 {
     return area.x == above.x && area.width == above.width && area.y == above.y + above.height;
@@ -75,7 +75,7 @@ int Renderer::band_count() const
     return (panel_.height + (1 << bits) - 1) >> bits;
 }
 
-/// In front of the first band.
+/// Begins before the first band.
 void Renderer::begin_pass(int band_bits)
 {
     if (!is_fresh_ || picture_.outlines.band_bits() != band_bits)
@@ -88,7 +88,7 @@ void Renderer::begin_pass(int band_bits)
 
 void Renderer::begin_changes(int band_bits)
 {
-    // Where a picture ends for want of room, nothing tells what changes.
+    // After a picture that ended for want of room, it is not known what changes.
     if (picture_.outlines.is_full() || recorded_band_bits_ != band_bits)
         forget();
     recorded_band_bits_ = band_bits;
@@ -135,7 +135,7 @@ void Renderer::end_changes()
     std::ranges::copy(picture_.steps(), shown_storage_.begin());
 }
 
-/// To those layers that have chains in the band.
+/// Assigns slots to those layers that have chains in the band.
 bool Renderer::assign_slots(std::span<const Record::Border> shown)
 {
     slots_.clear_marks();
@@ -178,7 +178,7 @@ int Renderer::next_changed_band()
     return band;
 }
 
-/// False if there is none.
+/// Returns false if there is none.
 template <class Cells>
 bool Renderer::next_dirty_band()
 {
@@ -207,8 +207,8 @@ void Renderer::keep_band()
     record_.end_band();
 }
 
-/// Of regions that are still to be drawn, as far as the gaps between them have at most `gap` columns or lie
-/// within a unit of the granularity. None if all are drawn.
+/// Takes the regions that are still to be drawn, as far as gaps between them have at most `gap` columns or
+/// are within a unit of the granularity. None if all are drawn.
 Renderer::Window Renderer::next_window(int granularity, int gap)
 {
     const Region* const end = regions_.end();
@@ -245,7 +245,7 @@ void Renderer::draw_tile(const Tile<Cells>& tile, LayerRow& row)
     const Region* region = next_region_;
     if (region != end && region->begin <= tile.left && region->end >= right)
         return painter.paint(*region, tile);
-    Region gap; // what lies between two regions, in a window that takes in both
+    Region gap; // between two regions, in a window that takes in both
     Tile<Cells> part = tile;
     while (part.left < right) {
         while (region != end && region->end <= part.left)
@@ -262,7 +262,7 @@ void Renderer::draw_tile(const Tile<Cells>& tile, LayerRow& row)
     }
 }
 
-/// An area of the band.
+/// Draws an area of the band.
 template <PixelFormat format>
 void Renderer::draw_area(const Rect& area, std::span<std::byte> pixels, LayerRow& row)
 {
@@ -332,7 +332,7 @@ std::span<const Change> Renderer::draw_changes(std::span<std::byte> pixels, Size
             bytes = row_bytes(format, area.width) * rows;
         }
         draw_area<format>(area, pixels.first(bytes), row);
-        // Whole rows go together; else slow buses take long ways without a break.
+        // Whole rows go together; otherwise slow buses are busy for a long time without a break.
         if (count != 0 && area.width == panel_.width && lies_below(area, changes_[count - 1].area)) {
             extend(changes_[count - 1], area.height, bytes);
         } else {

@@ -18,7 +18,7 @@
 
 namespace kfast::raster {
 
-/// Columns and rows that a panel takes together, at most.
+/// The maximum number of columns and rows that a panel takes together.
 inline constexpr Size max_granularity{8, 8};
 
 /// What a scene needs of the memory of a renderer.
@@ -43,12 +43,12 @@ public:
 
     Picture& picture() { return picture_; }
     const Picture& picture() const { return picture_; }
-    /// To be called when picture() has been filled anew.
+    /// Must be called when picture() has been filled anew.
     void begin();
-    /// What the panel shows is not known any more.
+    /// From now on, what the panel shows is not known.
     void forget();
 
-    /// Bands of the panel that are drawn whole the next time, for want of room to record what they show.
+    /// The number of bands that are drawn whole the next time, for want of room to record what they show.
     int unrecorded_bands() const;
 
     /// Draws rows of the picture into rows x row_bytes(format, panel width) bytes, aligned to 2 if pixels are
@@ -57,20 +57,20 @@ public:
     void draw_rows(int first_row, int rows, std::span<std::byte> pixels);
 
     /// Draws the next areas in which the picture differs from what the panel shows; none when all is drawn,
-    /// and the panel shows it. `pixels` has room for granularity.height whole rows. Places and sizes of areas
-    /// are multiples of `granularity`, but for areas that end with the panel; its sides are powers of two,
-    /// no larger than those of max_granularity. `area_bytes` is what an area costs besides its
-    /// pixels. Areas hold until the next call.
+    /// and the panel shows it. `pixels` has room for granularity.height whole rows. Positions and sizes of
+    /// areas are multiples of `granularity`, but for areas that end with the panel; its sides are powers of
+    /// two, no larger than those of max_granularity. `area_bytes` is what an area costs besides its pixels.
+    /// Areas are valid until the next call.
     template <PixelFormat format>
     std::span<const Change> draw_changes(std::span<std::byte> pixels, Size granularity, int area_bytes);
 
 private:
     enum class Progress : std::uint8_t { none, begun, done };
 
-    /// Of a call: whoever draws has other things to do in between.
+    /// The maximum number of areas in a call: the caller has other things to do in between.
     static constexpr std::size_t max_changes = 4;
 
-    /// Of the panel, as high as they are now.
+    /// The number of bands of the panel, as high as they are now.
     int band_count() const;
     void begin_pass(int band_bits);
     [[gnu::cold, gnu::noinline]] void begin_changes(int band_bits);
@@ -100,20 +100,20 @@ private:
     std::span<PaintStep> shown_storage_;
     std::size_t shown_count_ = 0;
     Record record_;
-    BandSet changed_;                ///< bands that something reaches which is not as it is on the panel
+    BandSet changed_;                ///< bands that something reaches that is not as on the panel
     std::span<std::byte> backdrops_; ///< tile_bytes for each depth of groups
     Slots slots_;
     Band band_;
     RegionList regions_;
     CoverageSums sums_;                   ///< empty between rows of layers
-    int drawn_columns_ = 0;               ///< of the band: areas to the left of here are drawn
-    const Region* next_region_ = nullptr; ///< all before it lie to the left of there
-    int next_row_ = 0;                    ///< that draw_rows() may go on with
+    int drawn_columns_ = 0;               ///< areas to the left of this column of the band are drawn
+    const Region* next_region_ = nullptr; ///< all regions before it are to the left of that
+    int next_row_ = 0;                    ///< with which draw_rows() may continue
     int recorded_band_bits_ = -1;         ///< of the bands in the record
     Progress progress_ = Progress::none;
-    bool is_fresh_ = false; ///< no pass has gone through the outlines
+    bool is_fresh_ = false; ///< whether no pass has gone through the outlines
     bool knows_panel_ = false;
-    bool has_same_numbers_ = false; ///< each step has that of its partner
+    bool has_same_numbers_ = false; ///< whether each step has the number of its partner
     std::array<Change, max_changes> changes_;
 };
 

@@ -4,7 +4,7 @@
 namespace kfast::raster {
 namespace {
 
-/// The bands of a panel that is so narrow that a row of it may have no room for 4 rows of 8 pixels.
+/// The number of bands of a panel so narrow that a row of it may have no room for 4 rows of 8 pixels.
 constexpr int band_count(Size panel)
 {
     constexpr int narrow = max_granularity.width << default_band_bits;

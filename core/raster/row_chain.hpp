@@ -16,7 +16,7 @@ namespace kfast::raster {
 struct RowChain {
     std::int32_t top_x;    ///< where it enters the row …
     std::int32_t bottom_x; ///< … and where it leaves it
-    const Bend* bend;      ///< the first one that may lie in the row
+    const Bend* bend;      ///< the first one that may be in the row
     std::int32_t left;     ///< of the tile, counted as the x of bends is
     std::int32_t top;      ///< of the row, counted as the y of bends is
     std::int32_t from;     ///< y where it enters the row …
@@ -25,17 +25,17 @@ struct RowChain {
     int last;              ///< the rightmost one
     bool runs_down;
     bool is_straight; ///< from the upper border to the lower one, as one edge
-    bool begins;      ///< at `from`; a level edge may follow
+    bool begins;      ///< whether it begins at `from`; a level edge may follow
 
-    /// Finds the first pixel and the last one, of those that its chain has in the band.
+    /// Finds the first pixel and the last one, among those that its chain has in the band.
     void find_pixels();
-    /// Where it crosses a height that lies within it.
+    /// x at a height that is within it.
     std::int32_t x_at(std::int32_t y) const;
 
-    /// Of its winding, in the grid.
+    /// The height of its winding, in the grid.
     std::int32_t height() const { return runs_down ? to - from : from - to; }
 
-    /// Whether a bend that lies above its lower end is part of it, and not of the row above.
+    /// Whether a bend that is above its lower end is part of it, and not of the row above.
     bool has(const Bend& at) const { return at.y - top > from || (at.y - top == from && begins); }
 
     /// Calls visit(x, y, next x, next y) for its edges from the top down.
@@ -56,8 +56,8 @@ struct RowChain {
     }
 };
 
-/// Where chains cross a line through a row, from left to right: a part of it at a time, for they are any
-/// number.
+/// Where chains cross a line through a row, from left to right: a part of it at a time, for their number has
+/// no limit.
 ///
 ///     begin_part() -> add() for all chains -> walk() or add_inside(), until is_complete()
 class SampleLine {
@@ -68,11 +68,11 @@ public:
     /// The n-th of a row.
     explicit SampleLine(int number) : y_{(2 * number + 1) * grid / (2 * count_in_row)} {}
 
-    /// To the right of the parts before.
+    /// Begins a part to the right of the parts before.
     void begin_part();
-    /// In the same order for each part.
+    /// Adds a chain; in the same order for each part.
     void add(const RowChain& chain);
-    /// This part is the last one.
+    /// Whether this part is the last one.
     bool is_complete() const { return !has_more_; }
     /// Notes the windings in the part.
     template <class Note>
@@ -81,12 +81,12 @@ public:
         for (std::size_t i = 0; i != count_; ++i)
             note(winding += step(i));
     }
-    /// Adds a share of the row: what lies inside on the part; `winding` is that to the left of it. Returns
+    /// Adds a fraction of the row: what is inside on the part; `winding` is that to the left of it. Returns
     /// that to the right of it.
     std::int32_t add_inside(FillRule rule, std::int32_t winding, int columns, CoverageSums& sums) const;
 
 private:
-    /// They are in the order of their places, then in that of add().
+    /// They are in the order of their positions, then in that of add().
     struct Crossing {
         std::int32_t x2; ///< 2 x, or 2 x + 1 if the outline runs up there
         std::int32_t number;

@@ -8,7 +8,7 @@ namespace kfast::raster {
 
 namespace {
 
-/// Steps that may have appeared or vanished in one place before the rest is taken to be new.
+/// Steps that may have appeared or vanished at one position before the rest is taken to be new.
 constexpr std::size_t look_ahead = 8;
 
 void forget_partners(std::span<PaintStep> steps)
@@ -17,7 +17,7 @@ void forget_partners(std::span<PaintStep> steps)
         step.partner = PaintStep::no_partner;
 }
 
-/// How far `step` lies ahead in `steps`; look_ahead if it does not.
+/// How far `step` is ahead in `steps`; look_ahead if it is not.
 std::size_t distance_to(const PaintStep& step, std::span<const PaintStep> steps)
 {
     const std::size_t reach = std::min(steps.size(), look_ahead);
@@ -117,7 +117,7 @@ bool Slots::assign()
     return have_room;
 }
 
-/// Gives a slot to a layer, if it is marked, of either picture or of both.
+/// Assigns a slot to a layer of either picture or of both, if it is marked.
 bool Slots::put(PaintStep* next, PaintStep* shown)
 {
     const bool is_marked = (next != nullptr && next->slot != PaintStep::no_slot) ||
@@ -148,7 +148,7 @@ bool Slots::put(PaintStep* next, PaintStep* shown)
     return true;
 }
 
-/// With the opacity of what is around it.
+/// Compares also the opacity of the groups around.
 bool Slots::is_same_colour(const PaintStep& next, const PaintStep& shown) const
 {
     return next.colour == shown.colour && next.is_in_group == shown.is_in_group &&

@@ -11,7 +11,7 @@
 
 namespace kfast::raster {
 
-/// Finds the steps of two pictures that stand for the same thing, in the order of both, and notes each as the
+/// Finds the steps of two pictures that represent the same thing, in the order of both, and notes each as the
 /// partner of the other.
 void match(std::span<PaintStep> shown, std::span<PaintStep> next);
 
@@ -22,10 +22,10 @@ inline constexpr int slot_count = 32;
 
 constexpr SlotMask bit_of(unsigned slot) { return SlotMask{1} << slot; }
 
-/// The lowest bit of a mask that is not 0: what lies on top.
+/// The lowest bit of a mask that is not 0: the topmost layer.
 constexpr SlotMask top_bit(SlotMask mask) { return mask & (0U - mask); }
 
-/// A de Bruijn sequence and its places.
+/// A de Bruijn sequence and its positions.
 inline constexpr std::uint32_t bit_sequence = 0x077C'B531;
 inline constexpr std::array<std::uint8_t, 32> bit_numbers{0,  1,  28, 2,  29, 14, 24, 3,  30, 22, 20,
                                                           15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
@@ -50,13 +50,13 @@ public:
         const PaintStep* next = nullptr;
         const PaintStep* shown = nullptr;
         std::uint32_t ink = 0;   ///< of the next picture, see cells.hpp
-        std::uint32_t share = 0; ///< likewise, of its opacity
+        std::uint32_t share = 0; ///< of its opacity, in the next picture, see cells.hpp
     };
 
     Colour background; ///< opaque
     std::uint32_t background_ink = 0;
 
-    /// The steps of both pictures, whose partners are found.
+    /// Sets the steps of both pictures, whose partners have been found.
     [[gnu::cold, gnu::noinline]] void set_pictures(std::span<PaintStep> next, std::span<PaintStep> shown);
     /// Whether a layer of the next picture has the same outlines as its partner, and looks the same.
     bool is_same(const PaintStep& next) const
@@ -64,11 +64,11 @@ public:
         return next.partner != PaintStep::no_partner && has_same_outlines(next, shown_[next.partner]) &&
                is_same_colour(next, shown_[next.partner]);
     }
-    /// All layers have slots of their own; if not, assign() gives slots to the layers of a band.
+    /// Whether all layers have slots of their own; if not, assign() gives slots to the layers of a band.
     bool hold_all() const { return hold_all_; }
     void clear_marks();
     static void mark(PaintStep& layer) { layer.slot = 0; }
-    /// Gives slots to the layers that are marked. False if they are too many: some have a wrong one.
+    /// Gives slots to the layers that are marked. Returns false if there are too many: some have a wrong one.
     [[gnu::cold, gnu::noinline]] bool assign();
 
     template <class Cells>
@@ -85,12 +85,12 @@ public:
     const Layer& layer(unsigned slot) const { return layers_[slot]; }
     /// Whether a pixel that the layers `next` cover wholly looks as the layers `shown` made it look.
     bool looks_same(SlotMask next, SlotMask shown) const;
-    /// Whether one opaque layer lies above all of `touched`, in both pictures; the masks are of the layers
-    /// that cover a place wholly, but for `touched`.
+    /// Whether one opaque layer is above all of `touched`, in both pictures; the masks are of the layers
+    /// that cover a position wholly, except for `touched`.
     bool is_hidden(SlotMask next, SlotMask shown, SlotMask touched) const;
 
     SlotMask same = 0;       ///< outlines and rule are those of the shown picture
-    SlotMask recoloured = 0; ///< colour or opacity, or that of a group around it, is another one
+    SlotMask recoloured = 0; ///< colour or opacity, or that of a group around it, has changed
     SlotMask clear = 0;      ///< of the next picture: not opaque, or within a group
     SlotMask shown_clear = 0;
     SlotMask grouped = 0;  ///< of the next picture, within a group

@@ -16,7 +16,7 @@ public:
     bool is_empty() const { return count_ == 0; }
     bool is_full() const { return count_ == max; }
 
-    /// Only when it is not full.
+    /// Must not be full.
     void put(const Report& report) { reports_[(first_ + count_++) % max] = report; }
 
     std::optional<Report> next()

@@ -26,7 +26,7 @@ struct DeviceFacts {
     Name start_clip{}; ///< played at the start if the scene has it; empty: all of the scene
 };
 
-/// A scene that was found whole (SceneView::parse), and what of it is to be played.
+/// A valid scene (SceneView::parse), and what of it is to be played.
 struct SceneSelection {
     std::span<const std::byte> scene{}; ///< as long as it plays, its bytes stay as they are
     Home home = Home::built_in;         ///< one of the first three
@@ -37,14 +37,14 @@ struct SceneSelection {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// What the link asks of a device. All of it returns soon: what takes time begins.
+/// What the link requires of a device. All of it returns soon: what takes time is only begun.
 template <class D>
 concept Device = requires(D& device, const D& same, const SceneSelection& selection, const SceneView& scene,
                           const DrawingPart& part, std::string_view text, std::uint32_t size, Time time,
                           std::int32_t speed, std::uint8_t number, Microseconds now) {
     { same.facts() } -> std::same_as<DeviceFacts>;
     { same.playing() } -> std::same_as<Playing>;
-    /// Without link_errors, which the link counts.
+    /// Does not include link_errors, which the link counts.
     { same.statistics() } -> std::same_as<Statistics>;
     /// `number` is less than playing().inputs.
     { same.input(number) } -> std::same_as<InputState>;
@@ -54,17 +54,17 @@ concept Device = requires(D& device, const D& same, const SceneSelection& select
     /// Where a UF2 file puts a scene, perhaps with more bytes after it.
     { same.built_in() } -> std::same_as<std::span<const std::byte>>;
 
-    /// From the beginning, as authored, not paused; `scene` is that of the selection. Fails with block_too_small or
-    /// unsupported, and then what played plays on.
+    /// Plays from the beginning, as authored, not paused; `scene` is that of the selection. Fails with
+    /// block_too_small or unsupported, and then the scene that played plays on.
     { device.play(selection, scene) } -> std::same_as<Status>;
-    /// Nothing plays, and the display says so.
+    /// From now on nothing plays, and the display says so.
     { device.play_nothing() } -> std::same_as<void>;
     /// Memory of `size` bytes for a scene, 1 … ram_bytes, of which nothing is played. None if what plays has to give
     /// way first: it does so soon, and this is to be called again. The memory is lent until the next call.
     { device.lease_ram(size) } -> std::same_as<std::span<std::byte>>;
-    /// What lease_ram() has given; none once it is needed for something else.
+    /// The memory that lease_ram() has returned; none once it is needed for something else.
     { same.leased_ram() } -> std::same_as<std::span<std::byte>>;
-    /// No scene comes into what is lent: what gave way plays again, if it can.
+    /// No scene comes into the lent memory: what gave way plays again, if it can.
     { device.end_lease() } -> std::same_as<void>;
     /// Whether nothing plays because what gave way cannot play again.
     { same.is_idle() } -> std::same_as<bool>;
@@ -80,15 +80,15 @@ concept Device = requires(D& device, const D& same, const SceneSelection& select
     { device.disarm() } -> std::same_as<Status>;
     /// The computer has fallen silent for longer than it wanted to, or is gone.
     { device.lose_computer() } -> std::same_as<void>;
-    /// Fails with unsupported where the display has none to set.
+    /// Fails with unsupported where the display has no brightness to set.
     { device.set_brightness(number) } -> std::same_as<Status>;
     /// `number` is one of playing().inputs, and `time` within 0 … whole_input.
     { device.set_input(std::uint32_t{number}, time) } -> std::same_as<void>;
     /// UTF-8. `number` is one of playing().inputs. Fails with no_text where the input is none, and nothing_plays.
     { device.set_text(std::uint32_t{number}, text) } -> std::same_as<Status>;
-    /// Its input is one of playing().inputs. Tells it to the player that plays: tell() does it (received_drawing.hpp).
+    /// Its input is one of playing().inputs. Adds it to the player, by deliver() of received_drawing.hpp.
     { device.deliver(part) } -> std::same_as<Status>;
-    /// Soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
+    /// Does it soon, when the answer has gone out: about a tenth of a second later. Fails with unsupported.
     { device.enter_boot_loader(now) } -> std::same_as<Status>;
 };
 

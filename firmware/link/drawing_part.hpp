@@ -9,12 +9,12 @@
 
 namespace kfast::link {
 
-/// What one report says of a drawing.
+/// What one report contains of a drawing.
 struct DrawingPart {
     DrawingNumber which{};
     std::uint8_t part = 0;                ///< how many come before, modulo 256
     std::optional<std::uint16_t> count{}; ///< of the whole drawing; only with the last part
-    std::span<const InputPoint> points{}; ///< also pen_up; of the last part, with what is no part of it
+    std::span<const InputPoint> points{}; ///< also pen_up; in the last part, with what is no part of it
 };
 
 }

@@ -70,7 +70,7 @@ private:
     SpanWriter to_;
 };
 
-/// Reads the fields of a message one after another and remembers whether each of them meant something.
+/// Reads the fields of a message one after another and remembers whether each of them was valid.
 class FieldReader {
 public:
     explicit FieldReader(std::span<const std::byte> bytes) : from_{bytes} {}
@@ -106,7 +106,7 @@ private:
         size.width = static_cast<int>(from_.u16());
         size.height = static_cast<int>(from_.u16());
     }
-    /// What stands behind a 0 is no part of the text.
+    /// What follows a 0 is no part of the text.
     template <std::size_t max>
     void read(StoredText<max>& text)
     {
@@ -174,7 +174,7 @@ Report report_of(const M& message, std::uint8_t tag)
     return report;
 }
 
-/// The message of a report; nothing if it is of another kind, or if a field has no meaning.
+/// The message of a report; nothing if it is of another kind, or if a field is not valid.
 template <class M>
 std::optional<M> message_of(const Report& report)
 {

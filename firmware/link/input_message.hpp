@@ -25,7 +25,7 @@ struct AskInput {
     static constexpr void fields(auto&& io, auto& it) { io(it.input); }
 };
 
-/// What an input of a scene takes.
+/// The kinds of inputs of a scene.
 enum class InputKind : std::uint8_t {
     number = 0,
     text = 1,
@@ -38,8 +38,8 @@ static_assert(input_kind(InputType::number) == InputKind::number &&
               input_kind(InputType::text) == InputKind::text &&
               input_kind(InputType::drawing) == InputKind::drawing);
 
-/// One input of the scene that plays. Values, which only a number has, are in 1/1000; of a text `max` alone
-/// counts, its characters.
+/// One input of the scene that plays. Values, which only a number has, are in 1/1000; for a text only `max`
+/// counts, in characters.
 struct InputState {
     static constexpr Kind kind = Kind::input;
     static constexpr bool answers = true;
@@ -49,7 +49,7 @@ struct InputState {
     std::int32_t min = 0;
     std::int32_t max = 0;
     std::int32_t default_value = 0; ///< until another is set
-    Time place{};                   ///< where it stands: 0 … whole_input
+    Time place{};                   ///< its value: 0 … whole_input
 
     static constexpr void fields(auto&& io, auto& it)
     {
@@ -65,14 +65,14 @@ struct InputPlace {
     friend constexpr bool operator==(const InputPlace&, const InputPlace&) = default;
 };
 
-/// Where inputs of the scene that plays stand from now on.
+/// Sets values of inputs of the scene that plays.
 struct Inputs {
     static constexpr Kind kind = Kind::inputs;
     static constexpr std::size_t max = 12;
     std::uint8_t count = 0;
     std::array<InputPlace, max> places{};
 
-    /// Whether there are no more than `max`, and each has a place that an input can have. Their numbers may
+    /// Whether there are no more than `max`, and each has a value that an input can have. Their numbers may
     /// still be none of the scene's.
     constexpr bool is_valid() const
     {
@@ -85,7 +85,7 @@ struct Inputs {
     static constexpr void fields(auto&& io, auto& it) { io(it.count, it.places); }
 };
 
-/// What a text among the inputs of the scene that plays is from now on.
+/// Sets a text among the inputs of the scene that plays.
 struct Text {
     static constexpr Kind kind = Kind::text;
     static constexpr std::size_t max = payload_bytes - 2;
@@ -99,8 +99,8 @@ struct Text {
     static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
 };
 
-/// Whose points they are: a drawing among the inputs of the scene that plays, and a number that tells it from
-/// the ones before.
+/// Which drawing the points belong to: a drawing among the inputs of the scene that plays, and a number that
+/// distinguishes it from the ones before.
 struct DrawingNumber {
     static constexpr std::uint8_t count = 8; ///< numbers go round
 
@@ -120,10 +120,10 @@ struct DrawingNumber {
 };
 static_assert(kfb::max_inputs * DrawingNumber::count == 256);
 
-/// In place of a point: the next one begins a stroke.
+/// Replaces a point: the next one begins a stroke.
 inline constexpr InputPoint pen_up{std::numeric_limits<std::int16_t>::min(), 0};
 
-/// Of a drawing, in their order: part 0 begins it.
+/// Points of a drawing, in their order: part 0 begins it.
 struct Points {
     static constexpr Kind kind = Kind::points;
     static constexpr std::size_t max = 15;
@@ -140,13 +140,13 @@ struct Drawing {
     static constexpr std::size_t max = 14;
     std::uint8_t which = 0;  ///< DrawingNumber
     std::uint8_t part = 0;   ///< how many come before, modulo 256
-    std::uint16_t count = 0; ///< of all points of the drawing and of what stands in place of one
+    std::uint16_t count = 0; ///< of all points of the drawing and of those replaced by pen_up
     std::array<InputPoint, max> points{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.which, it.part, it.count, it.points); }
 };
 
-/// How many reports a drawing with so many points, and what stands in place of one, takes.
+/// How many reports a drawing with `count` points, including pen_up, takes.
 constexpr std::size_t reports_of_drawing(std::size_t count)
 {
     return count <= Drawing::max ? 1 : 1 + (count - Drawing::max + Points::max - 1) / Points::max;

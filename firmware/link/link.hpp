@@ -24,22 +24,22 @@
 
 namespace kfast::link {
 
-/// The device's end of the link (docs/link.md): takes the computer's reports, does what they ask, and has the
-/// answers ready. It needs no order, no completeness and no sense in what comes.
+/// The device's end of the link (docs/link.md): takes the computer's reports, carries out their requests, and
+/// has answers ready. It needs no order, no completeness and no sense in what comes.
 ///
 /// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
-/// carried out; how far an upload has come is in one report, which is always the newest. One request
+/// carried out; the progress of an upload is in one report, which is always the newest. One request
 /// may have to wait for the device, and is answered later.
 template <Device D, Flash F>
 class Link {
 public:
-    /// Both must outlive the link. Nobody else begins uploads to `slots`.
+    /// Both must outlive the link. Nothing else begins uploads to `slots`.
     Link(D& device, SlotStore<F>& slots)
         : device_{device}, slots_{slots}, upload_{device, slots}, library_{device, slots, upload_}
     {
     }
 
-    /// A report as it came. Works until flash has taken what is full: up to a sector, or the directory.
+    /// Handles a report. Returns when flash has taken what is full: up to a sector, or the directory.
     void take(std::span<const std::byte> bytes, Microseconds now)
     {
         hear(now);
@@ -56,11 +56,11 @@ public:
             take_request(report, now);
     }
 
-    /// The computer has spoken. Also to be called when a report has been taken: the computer could not speak
-    /// while it worked.
+    /// Notes that the computer has sent something. Must also be called when a report has been taken: the
+    /// computer could not send anything while it worked.
     void hear(Microseconds now) { silence_.hear(now); }
 
-    /// Lets time pass: to be called at least every few seconds, and often if silences shall be noticed in
+    /// Lets time pass: must be called at least every few seconds, and often if silences are to be noticed in
     /// time.
     void pass(Microseconds now)
     {
@@ -95,25 +95,25 @@ public:
         answers_ = {};
     }
 
-    /// What plays when the device starts plays (SceneLibrary).
+    /// Plays what plays when the device starts (SceneLibrary).
     StatusWithNumber play_start() { return library_.play_start(); }
 
     /// Whether there is something to fetch.
     bool has_report() const { return !answers_.is_empty() || upload_.has_acknowledgement(); }
-    /// What is to be sent to the computer next, if there is anything.
+    /// The report to be sent to the computer next, if there is any.
     std::optional<Report> next_report()
     {
         return answers_.is_empty() ? upload_.next_acknowledgement() : answers_.next();
     }
 
 private:
-    /// What a request has besides its message.
+    /// What belongs to a request besides its message.
     struct Asked {
         std::uint8_t tag = 0;
         Microseconds now;
     };
 
-    /// Whoever chooses tag 0 wants to hear of failures alone.
+    /// Tag 0 requests that only failures are reported.
     static bool wants_answer(const Report& report) { return report.tag() != 0; }
 
     void queue_report(const Report& report)
@@ -124,7 +124,7 @@ private:
             answers_.put(report);
     }
 
-    /// Of what could not be understood.
+    /// Answers what could not be understood.
     void refuse(const Report& report, StatusWithNumber result)
     {
         ++errors_;
@@ -240,7 +240,7 @@ private:
         return statistics;
     }
 
-    /// no_such_input, or ok.
+    /// Returns no_such_input, or ok.
     StatusWithNumber look_for_input(std::uint32_t number) const
     {
         const std::uint8_t known = device_.playing().inputs;
@@ -334,7 +334,7 @@ private:
         return device_.set_brightness(how.brightness);
     }
 
-    /// All of them, or none.
+    /// Sets all of them, or none.
     Completion<Kind::inputs> carry_out(const Inputs& inputs, Asked)
     {
         if (!inputs.is_valid())

@@ -24,31 +24,31 @@ template <class P>
 concept Pipe = requires(P& pipe, const ReportBytes& report) {
     /// The oldest report that has come and was not taken.
     { pipe.take() } -> std::same_as<std::optional<ReportBytes>>;
-    /// False if there is no room for it now, or nobody to take it.
+    /// Returns false if there is no room for it now, or nobody to take it.
     { pipe.send(report) } -> std::same_as<bool>;
     /// Whether a computer is there, and awake.
     { pipe.is_connected() } -> std::same_as<bool>;
-    /// Changes when a computer begins anew. What was on its way before is lost, both ways.
+    /// Changes when a computer begins anew. What was on its way before is lost, in both directions.
     { pipe.connections() } -> std::same_as<std::uint32_t>;
 };
 
 // clang-format on
 
-/// Brings the reports of a pipe to a stage and the answers back: all that a board does for the link, besides
+/// Passes the reports of a pipe to a stage and the answers back: all that a board does for the link, besides
 /// drawing what the stage plays.
 template <Pipe P, Flash F>
 class LinkService {
 public:
-    /// All of them must outlive the service. Nobody else changes the slots.
+    /// All of them must outlive the service. Nothing else changes the slots.
     LinkService(P& pipe, PlaybackSession& playback, SlotStore<F>& slots)
         : pipe_{pipe}, playback_{playback}, link_{playback, slots}, connection_{pipe.connections()}
     {
     }
 
-    /// What plays when the device starts plays. To be called before anything is drawn.
+    /// Plays what plays when the device starts. Must be called before anything is drawn.
     void begin() { link_.play_start(); }
 
-    /// Deals with what has come, and lets time pass. To be called often: before each part of a picture, and
+    /// Handles what has come, and lets time pass. Must be called often: before each part of a picture, and
     /// while the board waits for anything. `now()` is the time.
     template <class Now>
     void serve(Now&& now)
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// At once: whoever never stops asking does not keep the board from drawing.
+    /// The maximum at once: endless requests do not keep the board from drawing.
     static constexpr int max_reports = 8;
 
     void look_at_computer()
@@ -99,7 +99,7 @@ private:
     P& pipe_;
     PlaybackSession& playback_;
     Link<PlaybackSession, F> link_;
-    std::optional<Report> unsent_; ///< for which the pipe had no room
+    std::optional<Report> unsent_; ///< the report for which the pipe had no room
     bool was_there_ = false;
     std::uint32_t connection_;
 };

@@ -66,7 +66,7 @@ constexpr bool is_known(Arming) { return true; }
 struct Playing {
     static constexpr Kind kind = Kind::playing;
     static constexpr bool answers = true;
-    bool is_playing = false; ///< else there is no scene that can be played, and the rest is empty
+    bool is_playing = false; ///< otherwise there is no scene that can be played, and the rest is empty
     bool is_paused = false;
     Home home = Home::built_in;
     std::uint8_t slot = no_slot;
@@ -75,7 +75,7 @@ struct Playing {
     Size canvas{};
     std::uint32_t frame_rate = 0; ///< in frames per 1000 seconds
     Time length{};                ///< of the scene
-    Time moment{};                ///< where playing stands
+    Time moment{};                ///< the current time of playing
     std::int32_t speed = 0;       ///< Q16 of the authored one
     Name clip{};                  ///< empty: the whole scene
     Arming arming = Arming::none; ///< also if nothing plays
@@ -95,7 +95,7 @@ struct Statistics {
     std::uint32_t late = 0;        ///< of these, shown after they were due
     std::uint32_t skipped = 0;     ///< left out, because their time had passed
     std::uint32_t link_errors = 0; ///< reports that could not be understood, or had no room for their answer
-    std::uint32_t coarse = 0;      ///< of the frames, drawn coarser or not wholly, for want of room
+    std::uint32_t coarse = 0;      ///< of the frames, drawn coarser or not completely, for want of room
 
     static constexpr void fields(auto&& io, auto& it)
     {
@@ -103,7 +103,7 @@ struct Statistics {
     }
 };
 
-/// About one slot: what it holds, erase it, or play it when the device starts.
+/// A request about one slot: what it holds, erase it, or play it when the device starts.
 template <Kind which>
 struct OfSlot {
     static constexpr Kind kind = which;
@@ -127,11 +127,11 @@ struct SlotContents {
     static constexpr void fields(auto&& io, auto& it) { io(it.slot, it.is_chosen, it.size, it.crc, it.name); }
 };
 
-/// From the beginning, as authored.
+/// Plays from the beginning, as authored.
 struct Play {
     static constexpr Kind kind = Kind::play;
     Home home = Home::here;
-    std::uint8_t slot = no_slot; ///< only of Home::slot
+    std::uint8_t slot = no_slot; ///< only for Home::slot
     Name clip{};                 ///< empty: the whole scene
 
     static constexpr void fields(auto&& io, auto& it) { io(it.home, it.slot, it.clip); }
@@ -158,7 +158,7 @@ struct Brightness {
     static constexpr void fields(auto&& io, auto& it) { io(it.brightness); }
 };
 
-/// What a device does when its computer falls silent, or goes.
+/// What a device does when its computer falls silent, or is gone.
 enum class SilenceAction : std::uint8_t {
     hold,  ///< pauses
     start, ///< plays what plays when it starts
@@ -173,13 +173,13 @@ struct Silence {
     static constexpr void fields(auto&& io, auto& it) { io(it.milliseconds, it.action); }
 };
 
-/// Something that was asked for was not done.
+/// A request was not carried out.
 struct Failure {
     static constexpr Kind kind = Kind::error;
     static constexpr bool answers = true;
-    std::uint8_t request = 0; ///< the kind of what was asked for
+    std::uint8_t request = 0; ///< the kind of the request
     Status status = Status::ok;
-    std::uint32_t number = 0; ///< what Status says it is
+    std::uint32_t number = 0; ///< the number that Status describes
     StoredText<longest_status_text> text{};
 
     static constexpr void fields(auto&& io, auto& it) { io(it.request, it.status, it.number, it.text); }

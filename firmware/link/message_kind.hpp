@@ -6,10 +6,10 @@
 
 namespace kfast::link {
 
-/// Goes up when a computer or a device that knows the number before cannot understand what is meant.
+/// Is increased when a computer or a device that knows the previous number cannot understand what is meant.
 inline constexpr std::uint8_t protocol_version = 1;
 
-/// Byte 0 of a report. What answers a request has the same number and `from_device`.
+/// Byte 0 of a report. The answer to a request has the same number and `from_device`.
 enum class Kind : std::uint8_t {
     hello = 0x01,
     names = 0x02,
@@ -43,27 +43,27 @@ enum class Kind : std::uint8_t {
 /// Names of scenes and clips.
 using Name = StoredText<24>;
 
-/// Where a scene lies.
+/// Where a scene is.
 enum class Home : std::uint8_t {
     built_in, ///< where a UF2 file puts it
     slot,
     ram,
-    here,  ///< only in Play: where what plays now lies
+    here,  ///< only in Play: where what plays now is
     start, ///< only in Play: what plays when the device starts
 };
 constexpr bool is_known(Home home) { return home <= Home::start; }
 
-/// Stands for a slot where there is none.
+/// Represents a missing slot.
 inline constexpr std::uint8_t no_slot = 0xFF;
 
-/// A request that has nothing but its kind.
+/// A request that has only its kind.
 template <Kind which>
 struct Plain {
     static constexpr Kind kind = which;
     static constexpr void fields(auto&&, auto&) {}
 };
 
-/// An answer that has nothing to tell but that it was done.
+/// An answer that says only that the request was carried out.
 template <Kind which>
 struct Done : Plain<which> {
     static constexpr bool answers = true;

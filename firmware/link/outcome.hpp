@@ -8,12 +8,12 @@
 
 namespace kfast::link {
 
-/// What comes of a request: its answer, or why there is none.
+/// The result of a request: its answer, or why there is none.
 template <Answer A>
 struct Outcome {
     StatusWithNumber result;
     A answer{};
-    bool is_put_off = false; ///< it is to be asked for once more, soon
+    bool is_put_off = false; ///< it is to be tried once more, soon
 
     constexpr Outcome(const A& given) : answer{given} {}
     constexpr Outcome(StatusWithNumber why) : result{why} {}
@@ -27,7 +27,7 @@ struct Outcome {
     }
 };
 
-/// Of a request that is answered by nothing but that it was done, or was not.
+/// The result of a request whose answer is only whether it was carried out.
 template <Kind kind>
 using Completion = Outcome<Done<kind>>;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
-/// As much of a text as a name holds, in whole letters of UTF-8.
+/// As much of a text as fits into a name, in whole letters of UTF-8.
 Name beginning_of(std::string_view text)
 {
     constexpr std::size_t max = std::tuple_size_v<decltype(Name::bytes)>;
@@ -115,7 +115,7 @@ std::size_t PlaybackSession::block_bytes(const SceneView& scene) const
     return facts_.player_bytes(scene, facts_);
 }
 
-/// Where they lie in the block; its end if they lie elsewhere.
+/// The offset of the bytes in the block; its end if they are elsewhere.
 std::size_t PlaybackSession::offset_in_block(std::span<const std::byte> bytes) const
 {
     const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
@@ -167,7 +167,7 @@ void PlaybackSession::lease(std::uint32_t size)
         leased_ = facts_.block.subspan(*place, size);
 }
 
-/// Where so many bytes lie behind what the player uses, and not on the scene that plays.
+/// The offset of `bytes` bytes after what the player uses, and not on the scene that plays.
 std::optional<std::size_t> PlaybackSession::place_in_block(std::size_t bytes) const
 {
     const std::size_t used = now_.scene ? whole_words(block_bytes(*now_.scene)) : 0;
@@ -180,7 +180,7 @@ std::optional<std::size_t> PlaybackSession::place_in_block(std::size_t bytes) co
     return std::nullopt;
 }
 
-/// What plays from RAM cannot play again: something else will lie there.
+/// What plays from RAM cannot play again: its place will be used for something else.
 void PlaybackSession::give_way()
 {
     if (now_.selection.home != Home::ram)
@@ -296,7 +296,7 @@ void PlaybackSession::seek(Time time)
     if (!now_.scene)
         return;
     controls_->seek(time);
-    Playhead sought = controls_->playhead(); // playing() tells it before a frame shows it
+    Playhead sought = controls_->playhead(); // playing() returns it before a frame shows it
     sought.seek(time);
     moment_ = sought.moment();
 }
@@ -331,7 +331,7 @@ void PlaybackSession::set_armed(bool is_armed)
     facts_.set_armed(is_armed);
 }
 
-/// What somebody at the board has armed stays theirs: only they need to be there.
+/// What somebody at the board has armed remains theirs: they only need to be there.
 Status PlaybackSession::arm()
 {
     if (facts_.set_armed == nullptr)

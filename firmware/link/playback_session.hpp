@@ -24,40 +24,40 @@ namespace kfast::link {
 
 struct BoardFacts;
 
-/// What a player for a panel of that size takes of the block.
+/// The bytes of the block that a player for a panel of that size needs.
 std::size_t panel_player_bytes(const SceneView& scene, const BoardFacts& facts);
-/// What a player for the beam of the settings takes.
+/// The bytes that a player for the beam of the settings needs.
 std::size_t beam_player_bytes(const SceneView& scene, const BoardFacts& facts);
 
-/// What a board brings along for its stage. What is referred to outlives it.
+/// The facts of a board for its stage. What is referred to outlives it.
 struct BoardFacts {
     const BoardSettings& settings;
     StoredText<24> serial{}; ///< unique to the chip
     StoredText<24> board{};  ///< its name
-    StoredText<24> panel{};  ///< likewise
-    Size panel_size{};       ///< empty: there is no display that works; of a beam its resolution, both ways
+    StoredText<24> panel{};  ///< its name
+    Size panel_size{};       ///< empty: there is no display that works; for a beam its resolution, twice
     std::size_t (*player_bytes)(const SceneView&, const BoardFacts&) = panel_player_bytes;
     std::span<std::byte> block{};          ///< lent to the player, aligned to 4
-    std::span<const std::byte> built_in{}; ///< where a scene may lie, perhaps with more bytes behind it
+    std::span<const std::byte> built_in{}; ///< where a scene may be, perhaps with more bytes after it
     bool is_dimmable = false;              ///< the display has a brightness
     bool has_boot_loader = false;
     /// Lets a dangerous beam shine, or not. Null: there is none. It begins dark.
     void (*set_armed)(bool is_armed) = nullptr;
 };
 
-/// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs have
-/// it: what a device is that is the same on every board. The board asks it between frames, and run_scenes()
+/// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs set
+/// it: what a device is that is the same on every board. The board calls it between frames, and run_scenes()
 /// lets what plays change there and nowhere else.
 ///
-/// A scene in RAM lies at the end of the player's block, in what the scene that plays does not need. Where it
-/// needs too much, it gives way: the picture holds until the new scene plays. At most half of the block is
+/// A scene in RAM is at the end of the player's block, in what the scene that plays does not need. If that
+/// needs too much, it gives way: the picture stays until the new scene plays. At most half of the block is
 /// lent.
 class PlaybackSession {
 public:
     /// At first the built-in scene plays, whatever it is.
     explicit PlaybackSession(const BoardFacts& facts);
 
-    // What Link wants of its device (device.hpp).
+    // What Link requires of its device (device.hpp).
     DeviceFacts facts() const;
     Playing playing() const;
     Statistics statistics() const
@@ -86,15 +86,15 @@ public:
     Status deliver(const DrawingPart& part);
     Status enter_boot_loader(Microseconds now);
 
-    /// Whether something else shall play as soon as the frame has come to its end. Until then no reports are
-    /// to be taken.
+    /// Whether something else shall play as soon as the frame has come to its end. Until then no reports must
+    /// be taken.
     bool is_changing() const { return next_.has_value(); }
-    /// Whether begin() is to be called, between frames.
+    /// Whether begin() must be called, between frames.
     bool wants_to_begin() const { return is_changing() || is_new_; }
-    /// What shall play begins. False if nothing is to be drawn: the picture holds.
+    /// Begins what shall play. Returns false if nothing is to be drawn: the picture stays.
     bool begin();
 
-    // What the run loop asks of a board (firmware/run/board.hpp), after begin().
+    // What the run loop requires of a board (firmware/run/board.hpp), after begin().
     std::span<const std::byte> scene_bytes() const { return now_.selection.scene; }
     std::span<std::byte> block() const;
     void scene_started(const SceneView& scene);
@@ -107,7 +107,7 @@ public:
         controls_->steer(playhead, pins, now);
         steered(playhead);
     }
-    /// Between two calls of steer(), and when nothing plays any more.
+    /// Called between two calls of steer(), and when nothing plays any more.
     template <TouchedPins Pins>
     void watch_arming(Pins& pins, Microseconds now)
     {
@@ -121,9 +121,9 @@ public:
     void frame_shown(const FrameReport& report);
     void fault();
 
-    /// Of the display, as computer, knobs and settings have it.
+    /// The brightness of the display, as computer, knobs and settings have it.
     std::uint8_t brightness() const { return brightness_; }
-    /// Whether the time to leave for the boot loader has come.
+    /// Whether it is time to leave for the boot loader.
     bool is_to_leave(Microseconds now) const { return leaves_ && reached(now, *leaves_); }
 
 private:
@@ -131,7 +131,7 @@ private:
         SceneSelection selection;
         std::optional<SceneView>
             scene;          ///< of the selection; none if it is not known yet, or cannot be played
-        bool holds = false; ///< nothing is selected, and the picture stays as it is
+        bool holds = false; ///< whether nothing is selected, and the picture stays
     };
 
     bool has_display() const { return facts_.panel_size.width > 0 && facts_.panel_size.height > 0; }
@@ -155,10 +155,10 @@ private:
     bool is_new_ = true;                   ///< what plays now has not begun
     bool is_drawn_ = false;                ///< frames of it are under way
     std::optional<PlaybackItem> next_;     ///< if what plays now is drawn
-    std::optional<PlaybackItem> gave_way_; ///< plays again if what it gave way to does not come
+    std::optional<PlaybackItem> gave_way_; ///< plays again if no scene comes for which it gave way
     std::span<std::byte> leased_{};        ///< of the block
     std::optional<Controls> controls_;     ///< of what plays now, or played last
-    SceneState* player_ = nullptr;         ///< likewise, as long as it draws
+    SceneState* player_ = nullptr;         ///< of what plays now, as long as it draws
     Time moment_{};
     std::uint8_t brightness_;
     std::uint8_t turned_brightness_; ///< as the controls had it last

@@ -10,11 +10,11 @@
 
 namespace kfast::link {
 
-/// How far the next drawing of an input has come, kept as its mark.
+/// The progress of the next drawing of an input, kept as its mark.
 struct DrawingProgress {
     bool has_begun = false;
     std::uint8_t number = 0; ///< DrawingNumber::number
-    std::uint16_t parts = 0; ///< that have come
+    std::uint16_t parts = 0; ///< the number of parts that have come
 
     static constexpr DrawingProgress of(std::uint32_t mark)
     {
@@ -31,7 +31,7 @@ struct DrawingProgress {
     }
 };
 
-/// Whether all of them found room.
+/// Returns whether all of them found room.
 inline bool add(InputDrawing& drawing, std::span<const InputPoint> points)
 {
     for (const InputPoint point : points)
@@ -42,7 +42,7 @@ inline bool add(InputDrawing& drawing, std::span<const InputPoint> points)
     return true;
 }
 
-/// Tells `player` a part of a drawing, which is shown when its last part has come. A part that is not the
+/// Adds a part of a drawing to `player`, which shows it when its last part has come. A part that is not the
 /// next one of its drawing drops what has come, and the drawing that is shown stays: the last part of
 /// what was dropped fails with drawing_broken. Fails with no_drawing and drawing_large, too. The input of
 /// `part` is one of the scene.

@@ -9,8 +9,8 @@ namespace kfast::link {
 
 inline constexpr std::size_t report_bytes = 64;
 
-/// What goes over the link, either way: 64 bytes. Byte 0 is the kind, byte 1 a tag that the computer chooses
-/// and an answer repeats, the rest is payload, little-endian.
+/// What is sent over the link, in either direction: 64 bytes. Byte 0 is the kind, byte 1 a tag chosen by the
+/// computer and repeated by an answer, the rest is payload, little-endian.
 struct Report {
     std::array<std::byte, report_bytes> bytes{};
 

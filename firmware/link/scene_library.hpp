@@ -13,7 +13,7 @@
 
 namespace kfast::link {
 
-/// 0 … 7: no_such_slot, or ok.
+/// Returns no_such_slot, or ok for 0 … 7.
 constexpr StatusWithNumber slot_exists(std::uint8_t slot)
 {
     if (slot < SlotDirectory::slot_count)
@@ -21,7 +21,7 @@ constexpr StatusWithNumber slot_exists(std::uint8_t slot)
     return {Status::no_such_slot, SlotDirectory::slot_count};
 }
 
-/// The scenes that a device has, wherever they lie, and how they come to be played.
+/// The scenes that a device has, wherever they are, and how they come to be played.
 template <Device D, Flash F>
 class SceneLibrary {
 public:
@@ -32,7 +32,7 @@ public:
     }
 
     /// Fails with no_such_slot, empty_slot, nothing_in_ram, nothing_plays, no_such_clip or an error of
-    /// SceneView::parse, or as the device does; then what played plays on.
+    /// SceneView::parse, or as the device does; then the scene that played plays on.
     StatusWithNumber play(const Play& what)
     {
         if (what.home == Home::start)
@@ -46,7 +46,7 @@ public:
 
     /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen or it
     /// cannot be played, the built-in one. `clip` is one of its clips; empty: what the device is set to.
-    /// Fails as playing the built-in scene fails, and then what played plays on.
+    /// Fails as playing the built-in scene fails, and then the scene that played plays on.
     StatusWithNumber play_start(const Name& clip = {})
     {
         if (const auto chosen = slots_.chosen()) {
@@ -57,7 +57,7 @@ public:
         return play_at_start({device_.built_in(), Home::built_in, no_slot, clip});
     }
 
-    /// What played plays no longer, even if there is nothing else.
+    /// Ends what played, even if there is nothing else.
     void return_to_start()
     {
         if (!play_start().is_ok())
@@ -96,7 +96,7 @@ private:
         return device_.play(selection, scene);
     }
 
-    /// Fills in where the scene lies.
+    /// Sets where the scene is.
     StatusWithNumber find_scene(SceneSelection& selection) const
     {
         switch (selection.home) {

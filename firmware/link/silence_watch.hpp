@@ -8,19 +8,19 @@
 
 namespace kfast::link {
 
-/// Knows what is to be done when the computer falls silent, and when. It is done once.
+/// Determines what is to be done when the computer falls silent, and when. It is done once.
 class SilenceWatch {
 public:
-    /// From `now` on; 0 milliseconds end it.
+    /// Begins at `now`; 0 milliseconds end it.
     void arm(const Silence& silence, Microseconds now)
     {
         silence_ = silence;
         heard_ = now;
     }
-    /// The computer has said something.
+    /// The computer has sent something.
     void hear(Microseconds now) { heard_ = now; }
 
-    /// What is to be done now, because nothing was heard for so long.
+    /// What is to be done now, because nothing was heard for that long.
     std::optional<SilenceAction> pass(Microseconds now)
     {
         const Microseconds patience{std::uint32_t{1000} * silence_.milliseconds};

@@ -18,7 +18,7 @@ template <class S>
 concept Sink = requires(S& sink, std::span<const std::byte> bytes) {
     /// The next bytes: no more, altogether, than the size that was announced when it began.
     { sink.write(bytes) } -> std::same_as<void>;
-    /// All bytes have come, and their checksum is right. Fails if they are no scene, or were not kept; then
+    /// All bytes have come, and their checksum is correct. Fails if they are no scene, or were not kept; then
     /// everything is as before.
     { sink.finish() } -> std::same_as<Status>;
 };

@@ -13,9 +13,9 @@
 
 namespace kfast::link {
 
-/// A scene on its way to the device: takes its blocks in order and tells the computer how far it has come.
+/// A scene on its way to the device: takes its blocks in order and reports its progress to the computer.
 ///
-/// What comes twice is ignored. If a block is missing, those behind it are ignored as well, and the computer
+/// What comes twice is ignored. If a block is missing, those after it are ignored as well, and the computer
 /// is asked to begin again from there: once when it is seen, and once for every `acknowledge_every` blocks
 /// that come nevertheless.
 class Transfer {
@@ -27,27 +27,27 @@ public:
     /// How long the next block may take.
     static constexpr Microseconds patience{3'000'000};
 
-    /// A new one, whatever was before. Of at most max_blocks.
+    /// Begins a new one, whatever was before. At most max_blocks.
     void begin(const Begin& what, std::uint8_t tag, Microseconds now);
-    /// There is none any more, nor has there been.
+    /// Now there is none, nor has there been.
     void forget() { *this = {}; }
 
     /// The scene that comes, or came last.
     const Begin& what() const { return what_; }
     std::uint8_t tag() const { return tag_; }
     bool is_under_way() const { return state_ == State::under_way; }
-    /// Whether this beginning was acknowledged before: then the transfer goes on where it stands, even if it
+    /// Whether this beginning was acknowledged before: then the transfer continues where it is, even if it
     /// has ended.
     bool is_begun_by(const Begin& what, std::uint8_t tag) const
     {
         return (is_under_way() || result_ == Status::ok) && belongs(tag) && what == what_;
     }
-    /// Whether something with this tag is about the scene that comes, or came last.
+    /// Whether this tag is that of the scene that comes, or came last.
     bool belongs(std::uint8_t tag) const { return state_ != State::none && tag == tag_; }
     /// Whether the next block has not come in time.
     bool is_overdue(Microseconds now) const { return is_under_way() && reached(now, progressed_ + patience); }
 
-    /// A block that belongs to the transfer.
+    /// Takes a block that belongs to the transfer.
     template <Sink S>
     void take(const Data& data, S& sink, Microseconds now)
     {
@@ -56,7 +56,7 @@ public:
     }
 
     /// Ends the transfer if all its blocks have come; asked again, it answers the same. Fails with
-    /// incomplete, and then it goes on; else with bad_checksum or what the sink says.
+    /// incomplete, and then it continues; otherwise with bad_checksum or the error of the sink.
     template <Sink S>
     StatusWithNumber commit(S& sink)
     {
@@ -67,12 +67,12 @@ public:
         end(crc_.value() == what_.crc ? sink.finish() : Status::bad_checksum);
         return result_;
     }
-    /// There will be no more of it, because of `why`, which is not ok.
+    /// Ends the transfer because of `why`, which is not ok.
     void fail(Status why) { end(why); }
 
     Begun begun() const { return {.next = next_, .window = window}; }
     bool has_acknowledgement() const { return acknowledged_ == Acknowledged::not_yet; }
-    /// How far it has come, if that is to be acknowledged now.
+    /// Its progress, if that is to be acknowledged now.
     std::optional<Acknowledgement> next_acknowledgement();
 
 private:

@@ -85,7 +85,7 @@ public:
         return Status::ok;
     }
 
-    /// Nobody goes on with what is under way, nor asks about what came last.
+    /// Drops the upload under way, and forgets what came last: nobody continues or asks about them.
     void abandon()
     {
         if (transfer_.is_under_way())
@@ -96,7 +96,7 @@ public:
         is_stray_reported_ = false;
     }
 
-    /// What came last may not be where it was put any more.
+    /// What came last may not be where it was stored any more.
     void forget_last()
     {
         if (!transfer_.is_under_way())
@@ -112,7 +112,7 @@ public:
         return transfer_.tag();
     }
 
-    /// What gave way to a scene in RAM does not wait for ever that somebody plays it.
+    /// What gave way to a scene in RAM does not wait for ever until it is played.
     void drop_unplayed(Microseconds now)
     {
         if (!committed_ || !reached(now, *committed_ + Transfer::patience))
@@ -122,14 +122,14 @@ public:
             end_in_ram(false);
     }
 
-    /// The whole scene that lies in RAM, if there is one.
+    /// The whole scene that is in RAM, if there is one.
     std::span<const std::byte> ram_scene() const
     {
         return device_.leased_ram().empty() ? std::span<const std::byte>{} : ram_scene_;
     }
 
     bool has_acknowledgement() const { return transfer_.has_acknowledgement(); }
-    /// How far it has come, if that is to be acknowledged now.
+    /// Its progress, if that is to be acknowledged now.
     std::optional<Report> next_acknowledgement()
     {
         const auto progress = transfer_.next_acknowledgement();
@@ -139,7 +139,7 @@ public:
 private:
     bool is_for_ram() const { return transfer_.what().home == Home::ram; }
 
-    /// What it is, or was, written to is needed for something else.
+    /// Whether the memory that it is, or was, written to is needed for something else.
     bool is_out_of_ram() const { return is_for_ram() && device_.leased_ram().empty(); }
     bool has_lost_ram() const { return transfer_.is_under_way() && is_out_of_ram(); }
 

@@ -12,7 +12,7 @@ namespace kfast::link {
 
 /// Bytes of the scene in a data report; only the last has fewer.
 inline constexpr std::size_t block_bytes = payload_bytes - 2;
-/// The numbers of blocks have 16 bits, and that behind the last is one, too.
+/// The numbers of blocks have 16 bits, including the one after the last.
 inline constexpr std::uint32_t max_blocks = 0xFFFF;
 constexpr std::uint32_t blocks_of(std::uint32_t bytes)
 {
@@ -20,7 +20,7 @@ constexpr std::uint32_t blocks_of(std::uint32_t bytes)
     return bytes / each + (bytes % each != 0 ? 1 : 0);
 }
 
-/// A scene is going to come. Its tag is that of all that belongs to the upload.
+/// A scene is going to come. Its tag is used by everything that belongs to the upload.
 struct Begin {
     static constexpr Kind kind = Kind::begin;
     Home home = Home::slot; ///< slot or ram
@@ -41,7 +41,7 @@ struct Data {
     static constexpr void fields(auto&& io, auto& it) { io(it.block, it.bytes); }
 };
 
-/// How far an upload has come: the answer to begin, and sent again and again while data come.
+/// The progress of an upload: the answer to begin, and sent again and again while data come.
 template <Kind which>
 struct Progress {
     static constexpr Kind kind = which;

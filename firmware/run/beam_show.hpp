@@ -32,7 +32,7 @@ void listen_to(B& board)
         static_cast<void>(board);
 }
 
-/// Plots the picture that `player` shows, and has the beam show it. The one before has begun when there is
+/// Plots the picture that `player` shows, and lets the beam show it. The one before has begun when there is
 /// room for it, so it is never more than a picture late.
 template <BeamBoard B, class Animation>
 void draw_frame(B& board, const Animation& player)
@@ -56,13 +56,13 @@ void sleep_display(B& board)
     board.beam().park();
 }
 
-/// It shines when there is something to show.
+/// The beam shines when there is something to show.
 template <BeamBoard B>
 void wake_display(B&)
 {
 }
 
-/// The board tells it with its light.
+/// The board shows it with its light.
 template <BeamBoard B>
 void show_why_nothing_plays(B& board, Error)
 {

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Whether nothing has ever been written where a scene is to lie.
+/// Whether nothing has ever been written to the place of a scene.
 inline bool is_blank(std::span<const std::byte> place)
 {
     if (place.size() < 4)

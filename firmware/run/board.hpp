@@ -22,7 +22,7 @@ namespace kfast {
 
 class SceneState;
 
-/// What the run loop tells a board about a frame.
+/// What the run loop reports to a board about a frame.
 struct FrameReport {
     Time time;
     std::uint32_t skipped = 0; ///< frames left out since the scene began, because their time had passed
@@ -30,7 +30,7 @@ struct FrameReport {
     bool is_coarse = false;    ///< for want of room its curves are coarser, or parts of it are missing
 };
 
-/// What a board calls itself on its test card, in the letters of small_font.hpp.
+/// What a board prints on its test card, in the letters of small_font.hpp.
 struct BoardNames {
     std::string_view board;
     std::string_view panel;
@@ -39,7 +39,7 @@ struct BoardNames {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// What the run loop asks of every board.
+/// What the run loop requires of every board.
 template <class B>
 concept Board = requires(B& board, Microseconds moment, const SceneView& scene, FrameReport report, Error error) {
     { board.now() } -> std::same_as<Microseconds>;
@@ -54,7 +54,7 @@ concept Board = requires(B& board, Microseconds moment, const SceneView& scene, 
     { board.running() } -> std::same_as<bool>;
     /// `scene` was accepted and begins.
     { board.scene_started(scene) } -> std::same_as<void>;
-    /// The whole picture has arrived in the panel, or is led by the beam as soon as that before has ended.
+    /// The whole picture has arrived in the panel, or the beam draws it as soon as the one before has ended.
     { board.frame_shown(report) } -> std::same_as<void>;
     /// No scene plays, and why. A panel shows the number of the error; a beam is dark.
     { board.fault(error) } -> std::same_as<void>;
@@ -95,34 +95,34 @@ concept RedrawingBoard = PanelBoard<B> && requires(B& board) {
     { board.wants_redraw() } -> std::same_as<bool>;
 };
 
-/// A board that wants to know the events of the scene as they are passed, each before its frame is drawn. It
-/// may copy the view: the name lies in the scene.
+/// A board that is notified of the events of the scene as they are passed, each before its frame is drawn. It
+/// may copy the view: the name is in the scene.
 template <class B>
 concept EventBoard = Board<B> && requires(B& board, const EventView& event) {
     { board.event_passed(event) } -> std::same_as<void>;
 };
 
-/// A board that chooses what is played: a clip, from where, and how fast. Asked after scene_started().
+/// A board that chooses what is played: a clip, from where, and how fast. Called after scene_started().
 template <class B>
 concept ChoosingBoard = Board<B> && requires(B& board, const SceneView& scene) {
     { board.playhead(scene) } -> std::same_as<Playhead>;
 };
 
-/// A board with something to touch. Asked once before every frame, whatever is played.
+/// A board with controls. Called once before every frame, whatever is played.
 template <class B>
 concept SteeredBoard = Board<B> && requires(B& board, Playhead& playhead) {
     { board.steer(playhead) } -> std::same_as<void>;
 };
 
-/// A board that says where inputs of the scene stand. Asked once before every frame, after steer(). An input that
-/// is not in the answer stays where it was. The answer need not hold any longer.
+/// A board that sets inputs of the scene. Called once before every frame, after steer(). An input that
+/// is not in the answer stays as it was. The answer need not stay valid any longer.
 template <class B>
 concept InputBoard = Board<B> && requires(B& board) {
     { board.inputs() } -> std::convertible_to<std::span<const PlacedInput>>;
 };
 
-/// A board that sets drawings and texts of the scene while it plays. It knows the player from the moment in which it
-/// is ready until it is over: then it is null.
+/// A board that sets drawings and texts of the scene while it plays. It has the player from the time at which
+/// it is ready until it is over: then it is null.
 template <class B>
 concept LiveInputBoard = Board<B> && requires(B& board, SceneState* player) {
     { board.plays(player) } -> std::same_as<void>;
@@ -137,15 +137,15 @@ concept RestingBoard = SteeredBoard<B> && (PoweredPanelBoard<B> || BeamBoard<B>)
     { board.wants_rest() } -> std::same_as<bool>;
 };
 
-/// A board that knows when its display has shown a picture. Asked once for every frame that changes anything,
-/// with its first band drawn; returns when sending may begin.
+/// A board that knows when its display has shown a picture. Called once for every frame that changes
+/// anything, with its first band drawn; returns when sending may begin.
 template <class B>
 concept SynchronizedBoard = PanelBoard<B> && requires(B& board) {
     { board.wait_for_blank() } -> std::same_as<void>;
 };
 
-/// A board that somebody talks to while it draws. Asked before each part of a picture, and whenever it sleeps it
-/// looks for itself. What is heard waits for the end of the frame if it changes what is played.
+/// A board that receives messages while it draws. Called before each part of a picture, and whenever it
+/// sleeps it checks by itself. A message that changes what is played waits for the end of the frame.
 template <class B>
 concept ListeningBoard = Board<B> && requires(B& board) {
     { board.listen() } -> std::same_as<void>;
@@ -154,8 +154,8 @@ concept ListeningBoard = Board<B> && requires(B& board) {
 /// A board on which what plays may change: one scene is run after another, and the display begun once (run_scenes()).
 template <class B>
 concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
-    /// Before running() is asked for it. False if there is nothing to draw: a panel shows what it shows, a beam
-    /// is dark.
+    /// Called before running(). Returns false if there is nothing to draw: a panel shows what it shows, a
+    /// beam is dark.
     { board.begin() } -> std::same_as<bool>;
     /// As sleep_until(), but returns as soon as running() is false.
     { board.linger_until(moment) } -> std::same_as<void>;
@@ -163,8 +163,8 @@ concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
     { board.wants_to_run() } -> std::same_as<bool>;
 };
 
-/// A board whose panel shows a test card when it has no scene: when the first four bytes of its place are all 0xFF, as
-/// erased flash is, or all 0.
+/// A board whose panel shows a test card when it has no scene: when the first four bytes of its place are all
+/// 0xFF, as erased flash is, or all 0.
 template <class B>
 concept NamedBoard = PanelBoard<B> && requires(const B& board) {
     { board.names() } -> std::same_as<BoardNames>;

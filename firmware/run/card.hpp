@@ -18,14 +18,14 @@ namespace kfast {
 class Card {
 public:
     static constexpr std::size_t max_lines = 12;
-    /// From line to line, in blocks: the letters and one below them.
+    /// The distance of lines, in blocks: the letters and one below them.
     static constexpr int line_height = small_font::letter_height + 1;
 
     explicit Card(Size panel) : panel_{panel} {}
 
     Size panel() const { return panel_; }
 
-    /// Adds a line whose first row is `top`. `text` must outlive the card and lie within the panel; its
+    /// Adds a line whose first row is `top`. `text` must outlive the card and be within the panel; its
     /// letters are `scale` times as large as those of the font.
     void add(std::string_view text, int scale, int top)
     {
@@ -59,7 +59,7 @@ private:
     std::size_t line_count_ = 0;
 };
 
-/// Fills the panel with what `card.draw_row(PixelRow)` paints, and lets it be seen.
+/// Fills the panel with what `card.draw_row(PixelRow)` paints, and makes it visible.
 template <PanelBoard B, class C>
 void show_card(B& board, const C& card)
 {

@@ -5,7 +5,7 @@
 namespace kfast {
 namespace {
 
-/// From backwards to twice as fast; around the middle it stands still.
+/// From backwards to twice as fast; around the middle it stops.
 std::int32_t speed_at(int level)
 {
     constexpr int middle = (Controls::full_level + 1) / 2;
@@ -33,7 +33,7 @@ Controls::Controls(const BoardSettings& settings, const SceneView& scene, const 
     });
     for (const Touch& touch : touches_)
         if (touch.control.kind == ControlKind::button)
-            release(touch); // a knob tells where it stands when it is first read
+            release(touch); // a knob has its position when it is first read
 }
 
 void Controls::follow(const Controls& before)
@@ -59,7 +59,7 @@ PlayRange Controls::range_named(const StoredName& clip) const
 
 Playhead Controls::playhead_of(const StoredName& clip) const { return {range_named(clip), scene_.events()}; }
 
-/// What is read covers the time since the question before: it counts if the bouncing was over by then.
+/// What is read covers the time since the last query: it counts if the bouncing was over by then.
 bool Controls::has_switched(Touch& touch, bool pressed, Microseconds now)
 {
     if (!touch.settled) {
@@ -111,7 +111,7 @@ void Controls::press(const Touch& touch, Playhead& playhead)
     case ControlAction::place:
     case ControlAction::speed:
     case ControlAction::brightness:
-        return; // what only a knob can do
+        return; // only a knob can do that
     }
 }
 
@@ -132,7 +132,7 @@ void Controls::turn(const Touch& touch, Playhead& playhead)
     case ControlAction::pause:
     case ControlAction::sleep:
     case ControlAction::arm:
-        return; // what only a button can do
+        return; // only a button can do that
     }
 }
 
@@ -150,7 +150,7 @@ void Controls::play(const StoredName& clip, Playhead& playhead)
     apply_speed(playhead);
 }
 
-/// A button's clip goes first: the knob's place is taken up when it has finished.
+/// A button's clip goes first: the knob's position is used when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
     PlayRange stretch = range_named(touch.control.name);
@@ -224,7 +224,7 @@ void Controls::go_back(Playhead& playhead)
     apply_speed(playhead);
 }
 
-/// The end of a clip is shown for a frame before.
+/// The end of a clip is shown for a frame before that.
 void Controls::go_back_when_finished(Playhead& playhead)
 {
     if (before_ && playhead.finished() && end_is_shown_)

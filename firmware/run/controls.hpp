@@ -23,34 +23,34 @@ namespace kfast {
 /// Where the state of controls is read.
 template <class T>
 concept TouchedPins = requires(T& pins, Pin pin) {
-    /// Whether the button is closed, or has been since it was last asked about.
+    /// Whether the button is closed, or has been since the last query.
     { pins.pressed(pin) } -> std::same_as<bool>;
-    /// How far the knob is turned: 0 … Controls::full_level.
+    /// The position of the knob: 0 … Controls::full_level.
     { pins.level(pin) } -> std::same_as<int>;
 };
 
 // clang-format on
 
-/// What the buttons and knobs of a board do to what is played, and what somebody else may ask for: of two
-/// that want different things, the one that moved last has its way. A clip that the scene does not have
-/// stands for the whole scene, and for an input that it does not have nothing is done.
+/// What the buttons and knobs of a board do to what is played, and what others may ask for: of two
+/// that want different things, the one that moved last wins. A clip that the scene does not have
+/// represents the whole scene, and an input that it does not have is ignored.
 class Controls {
 public:
     static constexpr int full_level = 4095;
-    /// A knob that is not touched trembles less than this.
+    /// The noise of a knob that is not touched is less than this.
     static constexpr int tremble = 24;
-    /// What a switch does for so long after it has changed is bouncing.
+    /// Changes of a switch within this time after it has changed are bouncing.
     static constexpr Microseconds bounce{20'000};
 
     /// `clip` is played at first. The bytes of `scene` must outlive the controls.
     Controls(const BoardSettings& settings, const SceneView& scene, const StoredName& clip);
-    /// With the clip of the settings.
+    /// Begins with the clip of the settings.
     Controls(const BoardSettings& settings, const SceneView& scene) : Controls{settings, scene, settings.clip}
     {
     }
 
-    /// Another scene was played until now, on the same board: what was touched then has had its way. But an
-    /// input of this scene stands where its control does.
+    /// Another scene was played until now, on the same board: what was touched then has had its effect. But
+    /// an input of this scene is set by its control.
     void follow(const Controls& before);
 
     /// What is played at first.
@@ -73,7 +73,7 @@ public:
         }
     }
 
-    /// Between two calls of steer(), which may be seconds: reads the buttons that arm, and no others.
+    /// Called between two calls of steer(), which may be seconds: reads the buttons that arm, and no others.
     template <TouchedPins Pins>
     void watch_arming(Pins& pins, Microseconds now)
     {
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    // What somebody asks for who has no control. It is done by the next steer().
+    // Requests of those who have no control. They are executed by the next steer().
     void pause() { set_paused(true); }
     void resume() { set_paused(false); }
     /// Within ±Playhead::fastest. A button's clip is played as authored all the same.
@@ -96,19 +96,19 @@ public:
     void place_input(std::uint32_t number, Time place);
 
     bool is_paused() const { return paused_; }
-    /// When it is not paused, Q16 of the authored one.
+    /// The speed when it is not paused, Q16 of the authored one.
     std::int32_t speed() const;
     /// What is played; empty: the whole scene.
     StoredName clip() const;
 
-    /// Where inputs are to stand that were placed, each once and as it was last placed. Holds until steer()
+    /// The values of inputs that were set, each once with its last value. Valid until steer()
     /// or place_input() is called again.
     std::span<const PlacedInput> inputs() const { return std::span{inputs_}.first(input_count_); }
     /// Whether the display is to be off.
     bool wants_rest() const { return wants_rest_; }
-    /// Whether a button to arm was pressed an odd number of times since this was last asked.
+    /// Whether a button to arm was pressed an odd number of times since the last query.
     bool take_arming() { return std::exchange(wants_arming_, false); }
-    /// Of the display, as the settings or a knob have it.
+    /// The brightness of the display, as the settings or a knob set it.
     std::uint8_t brightness() const { return brightness_; }
 
 private:
@@ -116,12 +116,12 @@ private:
 
     struct Touch {
         Control control;
-        std::optional<std::uint32_t> input; ///< of the scene, for which the control is
+        std::optional<std::uint32_t> input; ///< the number of the input of the scene that the control sets
         bool pressed = false;
-        bool settled = true;    ///< what the button does counts again
-        Microseconds changed{}; ///< if not settled, when it was last pressed or let go
-        Microseconds asked{};   ///< likewise, when it was last asked about
-        int level = untouched;  ///< of a knob when it last did something
+        bool settled = true;    ///< whether the button has stopped bouncing
+        Microseconds changed{}; ///< if not settled, when it was last pressed or released
+        Microseconds asked{};   ///< if not settled, when it was last queried
+        int level = untouched;  ///< the level of a knob when it last did something
     };
 
     PlayRange range_named(const StoredName& clip) const;
@@ -149,11 +149,11 @@ private:
     std::optional<Playhead> before_;             ///< what was played before a button's clip
     StoredName clip_;                            ///< of the button that is being played
     std::int32_t speed_ = Playhead::as_authored; ///< a button's clip is always played as authored
-    bool is_placed_ = false;                     ///< a knob says where playing stands
+    bool is_placed_ = false;                     ///< whether a knob sets the position of playing
     bool end_is_shown_ = false;                  ///< of a button's clip
     bool paused_ = false;
-    bool is_speed_asked_ = false; ///< by somebody without a control, and not yet obeyed
-    std::optional<Time> sought_;  ///< likewise
+    bool is_speed_asked_ = false; ///< requested by somebody without a control, and not yet executed
+    std::optional<Time> sought_;  ///< requested by somebody without a control, and not yet executed
     bool wants_rest_ = false;
     bool wants_arming_ = false;
     std::uint8_t brightness_;

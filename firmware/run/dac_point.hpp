@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// A place of 65536 units of the field in 12 bits: 0 is its least end.
+/// A coordinate of the field, 65536 units, in 12 bits: 0 is its lowest value.
 constexpr std::uint32_t dac_level(std::int16_t place)
 {
     return static_cast<std::uint32_t>(place - field_min) >> 4;

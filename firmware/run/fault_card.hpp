@@ -51,7 +51,7 @@ public:
 private:
     static constexpr std::size_t max_lines = Card::max_lines - 1;
 
-    /// Of one or two digits.
+    /// The text of a number of one or two digits.
     static constexpr std::array<char, 3> number_of(Error error)
     {
         const auto digit = [](int value) { return static_cast<char>('0' + value); };
@@ -62,7 +62,7 @@ private:
     }
     std::string_view number() const { return {number_.data(), number_[2] == 0 ? std::size_t{2} : 3}; }
 
-    /// In the lower half of the panel, as large as they fit there. Returns the rows that they take.
+    /// Adds words in the lower half of the panel, as large as they fit. Returns the rows that they take.
     int add_words(std::string_view words)
     {
         const Size panel = card_.panel();

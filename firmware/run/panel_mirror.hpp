@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// What a panel shows, put together in RAM from what is sent to it. A board that watches keeps it for the
+/// What a panel shows, assembled in RAM from what is sent to it. A board that is verified keeps it for the
 /// hash of the picture, which must equal the one that `kfast hash` gives; a display controller may show it
 /// from there.
 template <PixelFormat format, int width, int height>

@@ -66,7 +66,7 @@ void draw_frame(B& board, Animation& player)
     wait_for(board.panel());
 }
 
-/// What the panel shows when it wakes is not to be seen.
+/// The old picture is not to be visible when the panel wakes.
 template <PoweredPanelBoard B>
 void sleep_display(B& board)
 {
@@ -79,7 +79,7 @@ void wake_display(B& board)
     board.panel().wake([&board](Microseconds time) { board.sleep_until(board.now() + time); });
 }
 
-/// Says on the panel why nothing is played, if the bands hold a row of it. Happens once at most, and is
+/// Shows on the panel why nothing is played, if the bands hold a row of it. Happens once at most, and is
 /// compiled for size.
 template <PanelBoard B>
 [[gnu::cold]] void show_why_nothing_plays(B& board, Error error)

@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// Lets frames pass, and tells the board the events on the way if it asks for them.
+/// Lets frames pass, and notifies the board of the events on the way if it wants them.
 template <Board B>
 void advance(B& board, Playhead& playhead, std::uint32_t frames)
 {
@@ -104,7 +104,7 @@ Playhead playhead_for(B& board, const SceneView& scene)
         return Playhead{scene};
 }
 
-/// Says on the display, if it can, and to the board why nothing is played.
+/// Shows on the display, if it can, and reports to the board why nothing is played.
 template <Board B>
 [[gnu::cold]] void refuse(B& board, Error error)
 {

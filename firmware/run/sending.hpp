@@ -15,7 +15,7 @@ namespace kfast {
 template <PanelBoard B>
 using PanelOf = std::remove_reference_t<decltype(std::declval<B&>().panel())>;
 
-/// The rows that a buffer of `bytes` holds and that the panel takes at once.
+/// The number of rows that a buffer of `bytes` holds and that the panel takes at once.
 template <Panel P>
 int rows_per_band(const P& panel, std::size_t bytes)
 {
@@ -40,7 +40,7 @@ void send(B& board, Rect area, std::span<const std::byte> pixels)
     board.panel().start(area, pixels);
 }
 
-/// Its start-up tables are not to lie on the stack while pictures are drawn.
+/// Its start-up tables are not to be on the stack while pictures are drawn.
 template <PanelBoard B>
 [[gnu::noinline]] void begin_panel(B& board)
 {

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// Capitals, digits and a few signs of 3 x 5 blocks, for what a board must say without a scene. Letters stand
+/// Capitals, digits and a few signs of 3 x 5 blocks, for what a board must print without a scene. Letters are
 /// four blocks apart.
 namespace small_font {
 
@@ -25,7 +25,7 @@ inline constexpr std::array<std::uint16_t, 10> digits{
     075557, 026227, 071747, 071717, 055711, 074717, 074757, 071222, 075757, 075717,
 };
 
-/// Lower case looks like capitals; what there is no sign for is a block.
+/// Lower case looks like capitals; letters without a sign are a block.
 constexpr std::uint16_t blocks(char letter)
 {
     if (letter >= 'a' && letter <= 'z')
@@ -55,11 +55,11 @@ constexpr std::uint16_t blocks(char letter)
     }
 }
 
-/// In blocks, without the gap behind the last letter.
+/// In blocks, without the gap after the last letter.
 constexpr int width(std::string_view text) { return static_cast<int>(text.size()) * advance - 1; }
 
 /// Paints row `line` (0 … letter_height - 1) of a text that begins at column `left`, with blocks of `scale` x
-/// `scale` pixels. The text lies within the row.
+/// `scale` pixels. The text is within the row.
 template <PixelFormat format>
 void draw_line(PixelRow<format> row, std::string_view text, int left, int scale, int line, Colour colour)
 {

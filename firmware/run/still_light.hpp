@@ -5,11 +5,11 @@
 
 namespace kfast {
 
-/// Makes a beam dark where it shines and stays in one place: what burns. Works on the points of
+/// Makes a beam dark where it shines and stays in one place: that burns. Works on the points of
 /// dac_point.hpp.
 class StillLight {
 public:
-    /// So many points in a row may shine in one place.
+    /// At most `max` points in a row may shine in one place.
     explicit StillLight(std::uint32_t max) : max_{max} {}
 
     /// The next point, dark if the beam has stayed for too long.
@@ -26,8 +26,8 @@ public:
         return shining_ > max_ ? place_ : point;
     }
 
-    /// All of a picture has passed, and another one begins. One that stays in one place shines for ever once
-    /// it is repeated: then all of it is to be dark.
+    /// Ends a picture, and begins another one. A picture that stays in one place shines for ever once
+    /// it is repeated: then all of it becomes dark.
     void end(std::span<std::uint32_t> picture)
     {
         if (places_ == 1)
@@ -43,7 +43,7 @@ private:
     std::uint32_t max_;
     std::uint32_t place_ = 0;
     std::uint32_t shining_ = 0;
-    std::uint32_t places_ = 0; ///< of the picture, until now
+    std::uint32_t places_ = 0; ///< the places of the picture, until now
 };
 
 }

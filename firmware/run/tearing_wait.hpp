@@ -6,9 +6,9 @@
 
 namespace kfast {
 
-/// Waits for a display to have shown a picture, which its TE line tells: sending then begins behind the row
-/// that is being shown. A line that stays silent is not wired: no frame waits for it any more, until it is
-/// heard again.
+/// Waits until a display has shown a picture, which its TE line signals: sending then begins after the row
+/// that is being shown. A line that stays silent is not wired: no frame waits for it any more, until it
+/// signals again.
 class TearingWait {
 public:
     /// Longer than any panel takes for a picture.

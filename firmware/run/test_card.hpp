@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// What a board without a scene shows, so that one sees at once whether the display is set up rightly: a
+/// What a board without a scene shows, so that one sees at once whether the display is set up correctly: a
 /// frame of one pixel at the very border (offsets), which side is up, red, green and blue with their letters
 /// (order of colours, inversion), board, panel, its size and the version. A panel that is too small for the
 /// text shows the frame alone.
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    static constexpr int lines = 8; ///< those of the bars among them
+    static constexpr int lines = 8; ///< including those of the bars
     static constexpr int bars_lines = 2;
 
     struct Bar {
@@ -65,7 +65,7 @@ private:
         return text;
     }
 
-    /// In decimal; returns the end.
+    /// Writes a number in decimal; returns the end.
     static constexpr char* write(int number, char* at)
     {
         if (number >= 10)

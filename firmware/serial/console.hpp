@@ -13,13 +13,13 @@ namespace kfast {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// Where letters go.
+/// An output for letters.
 template <class O>
 concept LetterOutput = requires(O& output, char letter) {
     { output.write(letter) } -> std::same_as<void>;
 };
 
-/// A line to somebody who reads what a board tells, and answers. Its write() waits for room.
+/// A line to somebody who reads what a board prints, and answers. Its write() waits for room.
 template <class C>
 concept Console = LetterOutput<C> && requires(C& console) {
     /// Whether read() has a byte to give.
@@ -45,7 +45,7 @@ void write_decimal(O& output, std::uint32_t number)
     output.write(static_cast<char>('0' + number % 10));
 }
 
-/// Eight digits.
+/// Writes eight digits.
 template <LetterOutput O>
 void write_hex(O& output, std::uint32_t number)
 {

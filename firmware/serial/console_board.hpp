@@ -29,7 +29,7 @@ concept BoardClock = requires(T& clock, const T& running, Microseconds moment) {
 
 // clang-format on
 
-/// The part that all boards have in common which somebody follows, and leads, through a console: for tests.
+/// The common part of all boards that are watched and controlled through a console: for tests.
 /// It reports, one line each:
 ///
 ///     KFAST <version> <board> <panel> <size> <format>
@@ -38,12 +38,12 @@ concept BoardClock = requires(T& clock, const T& running, Microseconds moment) {
 ///     F <time in 1/1024 frame> <CRC-32 of the picture> <bytes sent>   when it has arrived
 ///     ERROR <name>: <meaning>                                         instead of SCENE
 ///
-/// and listens. `s` starts the scene again, stepped, and is answered with STEP: from then on a frame stands,
-/// and the clock with it, until a byte comes, whatever it is. In either mode `r` has the next frame sent
+/// and listens. `s` starts the scene again, stepped, and is answered with STEP: from then on a frame stays,
+/// and the time with it, until a byte comes, whatever it is. In either mode `r` has the next frame sent
 /// whole, and `q` ends and is answered with END.
 ///
-/// The picture is what the panel shows, of size `glass`, put together from what was sent to it; the bytes
-/// count the commands of windows as well. What remains to a board is panel(), block(), bands(), scene_bytes()
+/// The picture is what the panel shows, of size `glass`, assembled from what was sent to it; the bytes
+/// include the commands of windows. What remains to a board is panel(), block(), bands(), scene_bytes()
 /// and scene_started(), which calls report_scene().
 template <Console C, BoardClock T, Panel P, Size glass>
 class ConsoleBoard {
@@ -151,7 +151,7 @@ private:
     std::uint32_t bytes_sent_ = 0; ///< since the last report
     bool wants_redraw_ = false;
     Mode mode_ = Mode::free_running;
-    bool frame_stands_ = false; ///< stepped: shown and not yet answered
+    bool frame_stands_ = false; ///< whether, when stepped, it is shown and not yet answered
     Microseconds stepped_clock_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace kfast {
 
-/// Where the slots of a device lie in its flash, in whole sectors.
+/// Where the slots of a device are in its flash, in whole sectors.
 struct FlashPlaces {
     std::uint32_t directory = 0; ///< two sectors
     std::uint32_t pool = 0;

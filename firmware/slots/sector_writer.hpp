@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// Writes a stream of bytes into flash, sector by sector. A sector that begins with the bytes that are wanted
+/// Writes a stream of bytes into flash, sector by sector. A sector that begins with the wanted bytes
 /// is left as it is.
 template <Flash F>
 class SectorWriter {
@@ -18,7 +18,7 @@ public:
     /// What the stream is for.
     enum class Use : std::uint8_t {
         write,
-        compare, ///< nothing is changed, and is_same() tells whether the stream is what flash holds
+        compare, ///< nothing is changed, and is_same() returns whether flash holds the stream
     };
 
     explicit SectorWriter(F& flash) : flash_{flash} {}
@@ -32,7 +32,7 @@ public:
         is_same_ = true;
     }
 
-    /// They lie within the flash.
+    /// The bytes must be within the flash.
     void add(std::span<const std::byte> bytes)
     {
         while (!bytes.empty()) {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// Brings what is left of the stream into flash.
+    /// Writes the rest of the stream into flash.
     void flush()
     {
         const auto wanted = std::span{sector_}.first(filled_);
@@ -59,11 +59,11 @@ public:
     }
 
     bool compares() const { return use_ == Use::compare; }
-    /// Whether all that was flushed lay in flash before.
+    /// Whether all that was flushed was in flash before.
     bool is_same() const { return is_same_; }
 
 private:
-    /// Behind the stream flash stays erased.
+    /// After the stream flash stays erased.
     void write_sector()
     {
         std::fill(sector_.begin() + filled_, sector_.end(), std::byte{0xFF});

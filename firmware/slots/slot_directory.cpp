@@ -77,7 +77,7 @@ SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory)
     writer.u16(SlotDirectory::slot_count);
     writer.u32(directory.generation);
     writer.u32(directory.next);
-    writer.u32(directory.chosen); // and the three zeros behind it
+    writer.u32(directory.chosen); // and the three zeros after it
     for (const SlotEntry& entry : directory.slots)
         write_entry(entry, writer);
     Crc32 crc;

@@ -24,20 +24,20 @@ struct SlotEntry {
     friend constexpr bool operator==(const SlotEntry&, const SlotEntry&) = default;
 };
 
-/// What the slots hold. Two copies lie in flash, and the newer one counts.
+/// The contents of the slots. Two copies are in flash, and the newer one counts.
 struct SlotDirectory {
     static constexpr std::uint8_t slot_count = 8;
     static constexpr std::uint8_t none = 0xFF;
 
     std::uint32_t generation = 0; ///< one more than that of the copy before; wraps
     std::uint8_t chosen = none;   ///< what plays when the device starts; none: the built-in scene
-    std::uint32_t next = 0;       ///< in the pool, behind what was written last
+    std::uint32_t next = 0;       ///< in the pool, after what was written last
     std::array<SlotEntry, slot_count> slots{};
 
     friend constexpr bool operator==(const SlotDirectory&, const SlotDirectory&) = default;
 };
 
-/// The directory as it lies in flash, little-endian:
+/// The directory as it is stored in flash, little-endian:
 ///
 ///     "KFSD"  version u16 (1)  slots u16
 ///     generation u32  next u32  chosen u8  0 u8 x 3
@@ -50,8 +50,8 @@ using SlotDirectoryPages = std::array<std::byte, slot_directory_pages * page_byt
 
 SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory);
 
-/// What a copy says; nothing if it is damaged, of another version, or none, or if a scene would not lie in a
-/// pool of `pool_bytes`. More bytes may follow.
+/// The directory of a copy; none if it is damaged, of another version, or missing, or if a scene would not be
+/// in a pool of `pool_bytes`. More bytes may follow.
 std::optional<SlotDirectory> read_slot_directory(std::span<const std::byte> bytes, std::uint32_t pool_bytes);
 
 /// Whether `a` was written after `b`.

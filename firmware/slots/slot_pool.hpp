@@ -9,23 +9,23 @@
 
 namespace kfast {
 
-/// A stretch of the pool, in bytes.
+/// A range of the pool, in bytes.
 struct Extent {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
 };
 
-/// The part of the flash in which the scenes of all slots lie, each in one piece from the beginning of a
+/// The part of the flash in which the scenes of all slots are, each in one piece from the beginning of a
 /// sector on.
 class SlotPool {
 public:
-    /// What `directory` holds is occupied, and so is `held`, if it is not empty.
+    /// The slots of `directory` are occupied, and so is `held`, if it is not empty.
     SlotPool(const SlotDirectory& directory, std::uint32_t bytes, Extent held);
 
-    /// Where `size` bytes (not 0) find room: at or behind `from`, or else from the beginning of the pool. So
+    /// Where `size` bytes (not 0) find room: at or after `from`, or else from the beginning of the pool. So
     /// what is written goes round through the whole pool, and no part of it wears before the others.
     std::optional<std::uint32_t> room_for(std::uint32_t size, std::uint32_t from) const;
-    /// The bytes of the longest free stretch.
+    /// The bytes of the longest free range.
     std::uint32_t longest_room() const;
 
 private:
@@ -33,7 +33,7 @@ private:
     const Extent* first_obstacle(Extent extent) const;
     std::optional<std::uint32_t> room_behind(std::uint32_t from, std::uint32_t size) const;
 
-    std::array<Extent, SlotDirectory::slot_count + 1> occupied_{}; ///< in the order of their beginnings
+    std::array<Extent, SlotDirectory::slot_count + 1> occupied_{}; ///< in the order of their offsets
     std::size_t count_ = 0;
     std::uint32_t bytes_;
 };

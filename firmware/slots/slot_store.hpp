@@ -17,7 +17,7 @@
 
 namespace kfast {
 
-/// What is to be put into a slot.
+/// What is to be stored in a slot.
 struct SlotUpload {
     std::uint8_t slot = 0;
     std::uint32_t size = 0; ///< bytes
@@ -29,11 +29,11 @@ struct SlotUpload {
 /// as they were before or as they are to be: what a slot holds is not touched until the new directory is
 /// written whole, and then it is the new one.
 ///
-/// Every function that changes flash works until it has done so: a sector takes about 50 ms, at worst 400.
+/// Every function that changes flash returns when it has done so: a sector takes about 50 ms, at worst 400.
 template <Flash F>
 class SlotStore {
 public:
-    /// Reads the directory; where there is none that is whole, all slots are empty. `flash` must outlive the
+    /// Reads the directory; if no copy is valid, all slots are empty. `flash` must outlive the
     /// store.
     SlotStore(F& flash, const FlashPlaces& places) : flash_{flash}, places_{places}, writer_{flash}
     {
@@ -47,7 +47,7 @@ public:
     std::uint32_t pool_bytes() const { return places_.pool_bytes; }
     /// `slot` is less than SlotDirectory::slot_count.
     const SlotEntry& entry(std::uint8_t slot) const { return directory_.slots[slot]; }
-    /// The bytes of a slot, which nobody has looked at; none if it is empty. They stay where they are until
+    /// The bytes of a slot, which have not been checked; none if it is empty. They stay where they are until
     /// the slot changes, and then as long as they are `held`.
     std::span<const std::byte> scene(std::uint8_t slot) const
     {
@@ -133,7 +133,7 @@ private:
     {
         return {directory_, places_.pool_bytes, extent_of(held)};
     }
-    /// The part of the pool that `held` is; none if it lies elsewhere.
+    /// The part of the pool that `held` is; none if it is elsewhere.
     Extent extent_of(std::span<const std::byte> held) const
     {
         const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
@@ -150,7 +150,7 @@ private:
         return crc.value();
     }
 
-    /// The same scene, as far as size and checksum tell, and undamaged.
+    /// The same scene, as far as size and checksum show, and undamaged.
     bool holds_already(const SlotUpload& upload) const
     {
         const SlotEntry& held = entry(upload.slot);
@@ -169,7 +169,7 @@ private:
         return scene ? Status::ok : status_of(scene.error());
     }
 
-    /// Puts what was written into the directory.
+    /// Enters what was written into the directory.
     Status enter()
     {
         SlotDirectory changed = directory_;
@@ -180,7 +180,7 @@ private:
         return put(changed);
     }
 
-    /// Writes `changed` over the older copy, unless it says nothing new.
+    /// Writes `changed` over the older copy, unless it is equal to the newer one.
     Status put(SlotDirectory changed)
     {
         if (changed == directory_)

@@ -11,13 +11,13 @@
 
 namespace kfast::usb {
 
-/// The stages of a control transfer. After its setup come data, if any, and then an empty packet the other
-/// way, by which the side that has them says so.
+/// The stages of a control transfer. After its setup come data, if any, and then an empty packet in the other
+/// direction, by which the receiver acknowledges them.
 class ControlPipe {
 public:
     // One of these follows a setup.
 
-    /// Sends `data`, or as much as the computer has room for. They stay as they are until the next setup.
+    /// Sends `data`, or as much as the computer has room for. They must not change until the next setup.
     template <UsbController C>
     void answer(C& controller, std::span<const std::byte> data, std::size_t room)
     {
@@ -37,7 +37,7 @@ public:
         controller.accept(Endpoint::control_out);
     }
 
-    /// Says that all is done.
+    /// Acknowledges that all is done.
     template <UsbController C>
     void acknowledge(C& controller)
     {
@@ -53,9 +53,9 @@ public:
         controller.stall(Endpoint::control_out);
     }
 
-    // These the controller tells.
+    // The controller calls these.
 
-    /// A packet was sent. Says whether the computer knows now that all is done.
+    /// A packet was sent. Returns whether the computer knows now that all is done.
     template <UsbController C>
     bool sent(C& controller)
     {
@@ -66,8 +66,8 @@ public:
         return false;
     }
 
-    /// A packet has come. Says whether it is one that expect() waits for; acknowledge() or refuse() follows
-    /// then.
+    /// A packet has come. Returns whether it is one that expect() waits for; acknowledge() or refuse()
+    /// follows then.
     bool received() { return std::exchange(stage_, Stage::idle) == Stage::receiving; }
 
 private:
@@ -79,7 +79,7 @@ private:
         if (!left_.empty() || needs_end_)
             return send_packet(controller);
         stage_ = Stage::idle;
-        controller.accept(Endpoint::control_out); // the computer says that it has them
+        controller.accept(Endpoint::control_out); // the computer acknowledges them
     }
 
     template <UsbController C>
@@ -87,7 +87,7 @@ private:
     {
         const auto packet = left_.first(std::min<std::size_t>(left_.size(), packet_bytes));
         left_ = left_.subspan(packet.size());
-        if (packet.size() < packet_bytes) // which tells the computer that no more will come
+        if (packet.size() < packet_bytes) // which signals to the computer that no more will come
             needs_end_ = false;
         controller.give(Endpoint::control_in, packet);
     }

@@ -13,9 +13,9 @@ namespace kfast::usb {
 // Compound requirements would be torn apart.
 // clang-format off
 
-/// What HidDevice asks of a chip's unit for USB. The unit counts DATA0 and DATA1 by itself. In return it tells the
-/// device what happens: bus_reset(), setup(), sent(), received(), suspended() and resumed(), each after it has
-/// done what is said here.
+/// What HidDevice requires of a chip's unit for USB. The unit counts DATA0 and DATA1 by itself. In return it
+/// notifies the device of what happens: bus_reset(), setup(), sent(), received(), suspended() and resumed(),
+/// each after it has done what is said here.
 ///
 /// - bus_reset(): the address is 0, and nothing is given, accepted or stalled.
 /// - setup(): nothing is given or accepted on the control endpoints any more, neither is stalled, and the next
@@ -26,7 +26,7 @@ template <class C>
 concept UsbController =
     requires(C& controller, Endpoint endpoint, std::span<const std::byte> packet,
              std::span<std::byte, packet_bytes> place, std::uint8_t address) {
-    /// While one lives, the device hears of nothing; it does later.
+    /// While one lives, the device is notified of nothing; it is later.
     typename C::EventsOff;
 
     /// Lets packets pass, the first of them as DATA0. What was given or accepted before is forgotten, and the
@@ -39,7 +39,7 @@ concept UsbController =
     { controller.give(endpoint, packet) } -> std::same_as<void>;
     /// One packet may come; others wait until this is called again.
     { controller.accept(endpoint) } -> std::same_as<void>;
-    /// Copies the packet that came, and says how many bytes it has.
+    /// Copies the packet that came, and returns how many bytes it has.
     { controller.read(endpoint, place) } -> std::same_as<std::size_t>;
 
     /// Answers everything with STALL: the control endpoints until the next setup(), others until they are opened.

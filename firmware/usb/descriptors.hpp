@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-/// What the device tells of itself: USB 2.0, chapter 9, and the class HID 1.11.
+/// What the device reports about itself: USB 2.0, chapter 9, and the class HID 1.11.
 namespace kfast::usb {
 
 /// The kind of a descriptor, and its second byte.
@@ -29,7 +29,7 @@ enum class StringIndex : std::uint8_t { languages = 0, maker = 1, product = 2, s
 
 namespace descriptor_detail {
 
-/// Each value is a byte, or an enumerator that stands for one.
+/// Each value is a byte, or an enumerator that represents one.
 template <class... Values>
 constexpr std::array<std::byte, sizeof...(Values)> bytes(Values... values)
 {
@@ -45,7 +45,7 @@ inline constexpr std::array device_descriptor = [] {
     using namespace descriptor_detail;
     constexpr unsigned usb_version = 0x0200;
     constexpr unsigned device_version = 0x0100;
-    constexpr unsigned class_of_interface = 0; // and two bytes that go with it
+    constexpr unsigned class_of_interface = 0; // and two bytes that belong to it
     constexpr unsigned configurations = 1;
     return bytes(18, DescriptorType::device, low(usb_version), high(usb_version), class_of_interface, 0, 0,
                  packet_bytes, low(vendor_id), high(vendor_id), low(product_id), high(product_id),
@@ -53,8 +53,8 @@ inline constexpr std::array device_descriptor = [] {
                  StringIndex::serial, configurations);
 }();
 
-/// Bytes of no meaning to the computer, as many each way. Without report ids no byte in front tells which
-/// report it is.
+/// Bytes of no meaning to the computer, as many in each direction. Without report ids no byte before them
+/// says which report it is.
 inline constexpr std::array report_descriptor = [] {
     using namespace descriptor_detail;
     constexpr unsigned vendor_page = 0xFF00;
@@ -68,7 +68,7 @@ inline constexpr std::array report_descriptor = [] {
                  0x75, 8,                                   // report size in bits
                  0x95, report_bytes,                        // report count
                  0x09, to_computer, 0x81, 0x02,             // usage; input: data, variable, absolute
-                 0x09, to_device, 0x91, 0x02,               // usage; output: likewise
+                 0x09, to_device, 0x91, 0x02,               // usage; output: data, variable, absolute
                  0xC0);                                     // end of collection
 }();
 
@@ -115,7 +115,7 @@ inline constexpr std::array languages_descriptor =
 
 inline constexpr std::size_t string_descriptor_bytes = 64;
 
-/// Writes `text` of ASCII as a descriptor, cut off after 31 letters, and says how long that is.
+/// Writes `text` of ASCII as a descriptor, cut off after 31 letters, and returns its length.
 constexpr std::size_t write_string_descriptor(std::string_view text,
                                               std::span<std::byte, string_descriptor_bytes> to)
 {

@@ -4,7 +4,7 @@
 
 namespace kfast::usb {
 
-/// One way of packets between computer and device, by its address: "in" is to the computer.
+/// One direction of packets between computer and device, by its address: "in" is to the computer.
 enum class Endpoint : std::uint8_t {
     control_out = 0x00,
     control_in = 0x80,
@@ -15,7 +15,7 @@ enum class Endpoint : std::uint8_t {
 constexpr bool is_in(Endpoint endpoint) { return (static_cast<unsigned>(endpoint) & 0x80) != 0; }
 constexpr unsigned number_of(Endpoint endpoint) { return static_cast<unsigned>(endpoint) & 0x7F; }
 
-/// Of all endpoints.
+/// The packet size of all endpoints.
 inline constexpr std::uint8_t packet_bytes = 64;
 
 }

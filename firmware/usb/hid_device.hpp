@@ -16,17 +16,17 @@
 
 namespace kfast::usb {
 
-/// Of at most 31 letters of ASCII each. The computer shows them to its user.
+/// Names of at most 31 letters of ASCII each. The computer shows them to its user.
 struct DeviceNames {
     std::string_view maker;
     std::string_view product;
     std::string_view serial; ///< no other device of this product has the same
 };
 
-/// A device of the class HID that carries reports both ways and gives them no meaning: an operating system
-/// needs no driver for it. All of it begins as zeros.
+/// A device of the class HID that carries reports in both directions and gives them no meaning: an operating
+/// system needs no driver for it. All of it begins as zeros.
 ///
-/// The program may call what is first here whenever it likes; the rest is for the controller, usually from
+/// The program may call the first functions here at any time; the rest is for the controller, usually from
 /// its interrupt.
 template <UsbController C>
 class HidDevice {
@@ -37,7 +37,7 @@ public:
 
     C& controller() { return controller_; }
 
-    /// Before the controller tells anything. What `names` looks at outlives the device.
+    /// Must be called before the controller calls anything. What `names` refers to must outlive the device.
     void begin(const DeviceNames& names) { names_ = names; }
 
     /// The oldest report that the computer sent and nobody has taken. A shorter one is filled up with zeros.
@@ -48,7 +48,7 @@ public:
         return from_computer_.take(controller_);
     }
 
-    /// False, and nothing is sent, if no computer listens or room_to_computer reports wait already.
+    /// Returns false, and sends nothing, if no computer listens or room_to_computer reports wait already.
     bool send(const Report& report)
     {
         const typename C::EventsOff guard;
@@ -58,7 +58,7 @@ public:
     /// Whether a computer has set the device up, and is awake.
     bool is_connected() const { return is_configured_ && !is_suspended_; }
 
-    /// Changes when a computer begins anew. What was on its way before is lost, both ways.
+    /// Changes when a computer begins anew. What was on its way before is lost, in both directions.
     std::uint32_t connections() const { return connections_; }
 
     void bus_reset()
@@ -95,7 +95,7 @@ public:
     void resumed() { is_suspended_ = false; }
 
 private:
-    /// False if it is refused.
+    /// Returns false if it is refused.
     bool begin_transfer(const SetupPacket& packet)
     {
         switch (packet.kind) {
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// A request without data; false if it is refused.
+    /// Executes a request without data; returns false if it is refused.
     bool obey(const SetupPacket& packet)
     {
         switch (packet.kind) {
@@ -274,7 +274,7 @@ private:
         return true;
     }
 
-    /// There is one setting alone; choosing it begins both pipes anew, too.
+    /// There is only one setting; choosing it begins both pipes anew, too.
     bool set_interface(std::uint16_t setting)
     {
         if (setting != 0)
@@ -328,7 +328,7 @@ private:
     static constexpr std::uint16_t index_of(Endpoint endpoint) { return static_cast<std::uint8_t>(endpoint); }
 
     bool is_our_interface(const SetupPacket& packet) const { return is_configured_ && packet.index == 0; }
-    /// Reports have no numbers: 0 stands for all.
+    /// Reports have no numbers: 0 represents all.
     bool is_our_report(const SetupPacket& packet) const
     {
         return is_our_interface(packet) && packet.value_low() == 0;

@@ -7,7 +7,7 @@ namespace kfast::usb {
 
 inline constexpr std::size_t report_bytes = 64;
 
-/// What goes from the computer to the device, or back, at once. It has no number of its own in front.
+/// What is sent from the computer to the device, or back, at once. It has no report id before it.
 using Report = std::array<std::byte, report_bytes>;
 
 }

@@ -14,7 +14,7 @@ class ReportPipe {
 public:
     bool is_halted() const { return is_halted_; }
 
-    /// Nothing comes or goes any more, and what is in the ring is forgotten.
+    /// Nothing comes or goes any more, and what is in the ring is dropped.
     void close()
     {
         ring_.clear();

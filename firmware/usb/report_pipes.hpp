@@ -41,8 +41,8 @@ public:
         accept_more(controller);
     }
 
-    /// Puts a packet of the endpoint `from`, which may be another one, behind those that have come; false if
-    /// there is no room for it.
+    /// Puts a packet of the endpoint `from`, which may be another one, after those that have come; returns
+    /// false if there is no room for it.
     template <UsbController C>
     bool put(C& controller, Endpoint from)
     {
@@ -82,7 +82,7 @@ public:
         give_next(controller);
     }
 
-    /// False if nobody listens, or there is no room.
+    /// Returns false if nobody listens, or there is no room.
     template <UsbController C>
     bool send(C& controller, const Report& report)
     {
@@ -104,7 +104,7 @@ public:
         give_next(controller);
     }
 
-    /// What the computer got last, or zeros.
+    /// The report that the computer got last, or zeros.
     const Report& latest() const { return latest_; }
 
 private:

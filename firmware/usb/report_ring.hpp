@@ -14,11 +14,11 @@ public:
     bool is_empty() const { return count_ == 0; }
     std::size_t free() const { return room - count_; }
 
-    /// Where the next report is to be put; it counts from push() on. Not without something free().
+    /// Where the next report is to be put; it counts from push() on. Must have something free().
     Report& next() { return reports_[(first_ + count_) % room]; }
     void push() { ++count_; }
 
-    /// Not if it is empty.
+    /// Must not be empty.
     const Report& first() const { return reports_[first_]; }
     void pop()
     {

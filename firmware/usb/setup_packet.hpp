@@ -11,7 +11,7 @@ inline constexpr std::size_t setup_bytes = 8;
 /// What a control transfer begins with.
 struct SetupPacket {
     std::uint16_t kind;  ///< type of the request, and its number in the low byte: see request
-    std::uint16_t value; ///< these two as the request has it
+    std::uint16_t value; ///< these two as defined by the request
     std::uint16_t index;
     std::uint16_t length; ///< of the data that follow, or that the computer has room for
 

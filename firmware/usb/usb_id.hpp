@@ -8,7 +8,7 @@ namespace kfast::usb {
 inline constexpr std::uint16_t vendor_id = 0x1209; // pid.codes, which gives numbers to open projects
 inline constexpr std::uint16_t product_id = 0x0001;
 
-/// pid.codes keeps these for whoever tries something at home: nobody may hand out devices that have them.
+/// pid.codes reserves these for tests at home: nobody may hand out devices that have them.
 inline constexpr bool is_test_id = vendor_id == 0x1209 && product_id >= 0x0001 && product_id <= 0x0010;
 
 #ifdef KFAST_RELEASE

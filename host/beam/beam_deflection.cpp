@@ -31,7 +31,7 @@ Matrix exponential(const Matrix& rates, double phase)
     return sum;
 }
 
-/// A spring's phase turns by at most so much in a step, if that makes no more than max_steps.
+/// The phase of a spring changes by at most this in a step, if that makes no more than max_steps.
 constexpr double longest_phase = 0.25;
 
 }

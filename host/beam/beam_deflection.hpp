@@ -7,21 +7,21 @@
 
 namespace kfast {
 
-/// How fast a beam gets to where it is told to go: each axis by itself, as a mass on a damped spring that is
+/// How fast a beam reaches its target: each axis by itself, as a mass on a damped spring that is
 /// pulled there, and never faster than its top speed.
 struct BeamDeflection {
     double bandwidth; ///< natural frequency, in Hz
-    double damping;   ///< of it; 1: the fastest way without overshoot
+    double damping;   ///< the damping ratio; 1: the fastest without overshoot
     double top_speed; ///< in widths of the field a second
 };
 
-/// A place in the field where a beam really is, in its units.
+/// The actual position of a beam in the field, in its units.
 struct BeamPlace {
     double x = 0;
     double y = 0;
 };
 
-/// The beam of a vector display on its way. Between two points it goes in steps that are short enough to be
+/// The moving beam of a vector display. Between two points it goes in steps that are short enough to be
 /// taken for straight.
 class DeflectedBeam {
 public:
@@ -30,7 +30,7 @@ public:
     /// `rate`: points in a second.
     DeflectedBeam(const BeamDeflection& deflection, std::uint32_t rate);
 
-    /// At rest.
+    /// Sets it to a point, at rest.
     void put(FieldPoint at);
     /// Lets it be pulled to `target` for the time of one point. Calls `moved` with the ends of each step, all
     /// of which take equally long.
@@ -59,7 +59,7 @@ private:
     Axis x_;
     Axis y_;
     int steps_;
-    Matrix spring_; ///< what a step makes of the distance to the target, and of the speed
+    Matrix spring_; ///< the effect of a step on the distance to the target, and on the speed
     double longest_step_;
     double top_speed_;
 };

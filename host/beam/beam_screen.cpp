@@ -10,14 +10,14 @@ namespace kfast {
 namespace {
 
 /// The plates of a scope follow at once, so this is its DAC: an MCP4922 changes by 0.55 V/µs, of 4.1 V, and
-/// is there after 4.5 µs.
+/// arrives after 4.5 µs.
 constexpr BeamDeflection plates{.bandwidth = 300e3, .damping = 1, .top_speed = 134e3};
 
-/// Chosen: a yoke that is there within the ten points that the profile crt waits.
+/// Chosen: a yoke that arrives within the ten points that the profile crt waits.
 constexpr BeamDeflection coils{.bandwidth = 20e3, .damping = 0.75, .top_speed = 6e3};
 
-/// What the ILDA test pattern at 30,000 points a second comes to is a bandwidth of 2.4 kHz. The others are
-/// chosen: without overshoot such a mirror lags behind by the four points of the profile galvo.
+/// The ILDA test pattern at 30,000 points a second requires a bandwidth of 2.4 kHz. The others are
+/// chosen: without overshoot such a mirror lags by the four points of the profile galvo.
 constexpr BeamDeflection mirrors{.bandwidth = 2.4e3, .damping = 1, .top_speed = 2.5e3};
 
 /// Spots and half-lives are chosen: those of the eye and of a camera are longer than those of any phosphor
@@ -38,7 +38,7 @@ const BeamDisplay& display_of(std::string_view profile_name)
 namespace {
 
 constexpr double field_share = 0.92; // of the picture's shorter side
-constexpr double forgotten = 1e-5;   // what is left of light that is no longer seen
+constexpr double forgotten = 1e-5;   // what is left of light that is no longer visible
 constexpr Colour travel_colour{110, 56, 76};
 constexpr std::size_t pixel_bytes = 3;
 
@@ -56,7 +56,7 @@ double deviation_of(const BeamDisplay& display, Size size)
     return std::max(0.4, width / (2 * std::sqrt(2 * std::numbers::ln2)));
 }
 
-/// What makes the middle of a usual line, just drawn, a light of 1.
+/// What makes the middle of a default line, just drawn, a light of 1.
 double exposure_of(const BeamProfile& profile, double fading, Size size, double deviation,
                    std::int64_t default_points)
 {
@@ -166,7 +166,7 @@ void BeamScreen::draw_way(BeamPlace from, BeamPlace to)
     }
 }
 
-/// Behind the light.
+/// Drawn under the light.
 void BeamScreen::mark(BeamPlace place)
 {
     const Size size = sheet_.size();

@@ -13,7 +13,7 @@
 
 namespace kfast {
 
-/// What stands at the end of the beam and is no matter of the firmware: how the beam is moved, and how its
+/// What is at the end of the beam and does not concern the firmware: how the beam is moved, and how its
 /// light looks.
 struct BeamDisplay {
     std::string_view name; ///< of the ready profile that is made for it
@@ -23,7 +23,7 @@ struct BeamDisplay {
     Phosphor phosphor;
 };
 
-/// For a ready profile (profile_choices()).
+/// The display for a ready profile (profile_choices()).
 const BeamDisplay& display_of(std::string_view profile_name);
 
 /// A picture that the beam drew over and over: its points are repeated, beginning with the first, from
@@ -37,20 +37,20 @@ struct DrawnPicture {
 /// The screen of a vector display, as a camera sees it: the field in the middle, with a margin.
 class BeamScreen {
 public:
-    /// How many pixels of a screen of that size the field is wide and high; it lies in the middle.
+    /// How many pixels of a screen of that size the field is wide and high; it is in the middle.
     static double field_side_on(Size size);
 
-    /// It is exposed for a line at the profile's usual speed in a picture of that many points, drawn over and
-    /// over.
+    /// It is exposed for a line at the profile's default speed in a picture of that many points, drawn over
+    /// and over.
     BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
                std::int64_t default_points);
 
-    /// How long light is seen, in points.
+    /// How long light is visible, in points.
     std::int64_t memory() const;
-    /// What is seen at the end of the last of `pictures`, which follow each other. There is at least one.
+    /// What is visible at the end of the last of `pictures`, which follow each other. There is at least one.
     const Frame& show(std::span<const DrawnPicture> pictures);
-    /// The way of the beam in the last tour of the last picture, wherever it was not lit: for the next
-    /// pictures.
+    /// Reveals the path of the beam in the last tour of the last picture, wherever it was not lit: for the
+    /// next pictures.
     void reveal_travel(bool reveal) { reveals_travel_ = reveal; }
 
 private:

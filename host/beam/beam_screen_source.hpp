@@ -42,17 +42,17 @@ private:
 ///
 /// At `moment` it is as far in its picture as if it had drawn this one since the scene began. Before that it
 /// drew others, each as the scene was when the next one began, and so often that 60 pictures a second were
-/// enough: whole tours. Before the scene's beginning comes what its loop says.
+/// enough: whole tours. Before the scene's beginning comes what its loop determines.
 std::vector<DrawnPicture> drawn_pictures(BeamSource& source, const SceneView& scene, Time moment,
                                          std::int64_t memory);
 
-/// How many points the pictures of a scene have on the average.
+/// The average number of points of the pictures of a scene.
 std::int64_t default_points(const SceneView& scene, const BeamProfile& profile);
 
 /// What a scene looks like on the screen of a vector display.
 ///
-/// The picture depends on scene, moment, inputs, profile and display alone: it is drawn from all that the
-/// beam drew in the time before that is still seen (drawn_pictures()), with the inputs as they are now.
+/// The picture depends on scene, time, inputs, profile and display alone: it is drawn from all that the
+/// beam drew in the time before that is still visible (drawn_pictures()), with the inputs as they are now.
 class BeamScreenSource final : public FrameSource {
 public:
     /// `scene`'s bytes must outlive the source.

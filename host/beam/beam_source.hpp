@@ -22,10 +22,10 @@ public:
     explicit BeamSource(const SceneView& scene, const BeamProfile& profile,
                         std::uint32_t budget = any_number);
 
-    /// The points of the picture at a moment of the timeline, the scene's very end included. Valid until the
+    /// The points of the picture at a time of the timeline, including the scene's very end. Valid until the
     /// next call.
     std::span<const BeamPoint> show(Time moment);
-    /// Of that picture.
+    /// The report of that picture.
     const BeamReport& report() const { return player_.report(); }
     const BeamProfile& profile() const { return player_.profile(); }
 
@@ -40,7 +40,7 @@ private:
     std::vector<BeamPoint> points_;
 };
 
-/// CRC-32 of the points of a picture, the same on every target for the same scene, time and profile. Of each
+/// CRC-32 of the points of a picture, the same on every target for the same scene, time and profile. For each
 /// point 8 bytes: x, then y, each with the low byte first; red, green, blue; 255 where the beam is lit, else
 /// 0, as then the colours are.
 std::uint32_t hash(std::span<const BeamPoint> points);

@@ -56,7 +56,7 @@ private:
 
     std::int16_t s16() { return static_cast<std::int16_t>(u16()); }
 
-    /// Without the zeros behind it.
+    /// Without the zeros after it.
     std::string text(std::size_t bytes)
     {
         std::string text;

@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// A point of an ILDA file, with the colour that its index stands for.
+/// A point of an ILDA file, with the colour that its index represents.
 struct IldaPoint {
     BeamPoint point; ///< blanked ones have no colour
     std::int16_t z = 0;
@@ -21,9 +21,9 @@ struct IldaPoint {
 struct IldaFrame {
     IldaFormat format = IldaFormat::indexed_3d;
     std::string name;    ///< up to eight bytes, of any kind
-    std::string company; ///< likewise
+    std::string company; ///< up to eight bytes, of any kind
     std::uint16_t number = 0;
-    std::uint16_t frames = 0; ///< how many there are, as the frame tells; 0 if it does not
+    std::uint16_t frames = 0; ///< how many there are, as given in the frame; 0 if it is not
     std::uint8_t projector = 0;
     std::vector<IldaPoint> points; ///< at least one
 };
@@ -33,13 +33,13 @@ struct IldaContents {
     std::size_t palettes = 0;
 };
 
-/// Any bytes. Throws std::invalid_argument where a section is none, breaks off or has a format that there is
-/// not, where the last point of a frame is not told or another one is told to be it, where a colour is in no
-/// palette, where the closing section is missing or something follows it, and for a file without frames. The
-/// text begins with the place: "at byte 1234: …".
+/// Reads any bytes. Throws std::invalid_argument where a section is none, breaks off or has an unknown
+/// format, where the last point of a frame is not marked or another one is marked as it, where a colour is in
+/// no palette, where the closing section is missing or something follows it, and for a file without frames.
+/// The text begins with the position: "at byte 1234: …".
 IldaContents read_ilda(std::span<const std::byte> file);
 
-/// What an ILDA file amounts to. Lengths are in units of the field.
+/// The facts of an ILDA file. Lengths are in units of the field.
 struct IldaFacts {
     std::set<IldaFormat> formats; ///< of frames
     std::size_t points = 0;

@@ -36,7 +36,7 @@ public:
         }
     }
 
-    /// What tells the end: a section without records.
+    /// The end mark: a section without records.
     std::vector<std::byte> end()
     {
         header(format_, 0, frames_);

@@ -17,7 +17,7 @@ using BeamPoints = std::vector<BeamPoint>;
 /// there are 1 … max_ilda_records of them. The depth of points is 0. Indexed formats begin with a palette if
 /// the colours need one.
 ///
-/// `name` is that of the frames; what is no ASCII of it becomes '_', and what is behind eight letters is left
+/// `name` is that of the frames; what is no ASCII of it becomes '_', and what is after eight letters is left
 /// out.
 std::vector<std::byte> ilda_file(std::string_view name, IldaFormat format,
                                  std::span<const BeamPoints> frames);

@@ -12,7 +12,7 @@ namespace kfast {
 
 namespace {
 
-constexpr double kernel_reach = 3.2; // in standard deviations; beyond lies a thousandth
+constexpr double kernel_reach = 3.2; // in standard deviations; a thousandth is beyond
 
 /// to[i] += factor * from[i + offset], where there is one.
 void add_shifted(std::span<float> to, std::span<const float> from, int offset, float factor)
@@ -107,7 +107,7 @@ std::vector<float> gaussian(double deviation)
     return kernel;
 }
 
-/// Spreads each value of a plane, row by row, by the kernel in both directions. What falls beyond the edges
+/// Spreads each value of a plane, row by row, by the kernel in both directions. Light beyond the edges
 /// is lost.
 void blur(std::span<float> plane, Size size, std::span<const float> half_kernel)
 {
@@ -127,9 +127,9 @@ void blur_by_box(std::span<float> plane, Size size, int reach)
     box_columns(plane, size, reach);
 }
 
-constexpr double longest_gap = 0.5;  // pixels between the points that stand for a line
+constexpr double longest_gap = 0.5;  // pixels between the points that represent a line
 constexpr float halo_share = 0.07F;  // of the light: what glass and eye scatter
-constexpr double halo_deviation = 5; // as many times as wide as the spot
+constexpr double halo_deviation = 5; // in widths of the spot
 constexpr int halo_passes = 3;
 
 /// Three boxes of that reach are as wide as a Gaussian: each has a variance of ((2 r + 1)^2 - 1) / 12.
@@ -167,7 +167,7 @@ void LightSheet::add_line(BeamPlace from, BeamPlace to, const Light& light)
     }
 }
 
-/// Divided among the four pixels around it, so that the middle of the light is where it fell.
+/// Divided among the four pixels around it, so that the centre of the light is where it fell.
 void LightSheet::add(BeamPlace at, const Light& light)
 {
     const double left = std::floor(at.x);

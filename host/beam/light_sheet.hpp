@@ -13,8 +13,8 @@ namespace kfast {
 /// Light of up to three colours.
 using Light = std::array<float, 3>;
 
-/// The light that fell on each pixel of a screen. Places are in pixels; that of a pixel is its middle. Light
-/// beyond the edges is lost.
+/// The light that fell on each pixel of a screen. Positions are in pixels; that of a pixel is its middle.
+/// Light beyond the edges is lost.
 class LightSheet {
 public:
     /// Of `channels` colours, at most three.
@@ -23,8 +23,8 @@ public:
     void clear();
     /// Spreads `light` evenly along a line.
     void add_line(BeamPlace from, BeamPlace to, const Light& light);
-    /// Every point becomes a spot: a Gaussian of that standard deviation, with a share of its light in a wide
-    /// halo around it.
+    /// Every point becomes a spot: a Gaussian of that standard deviation, with a fraction of its light in a
+    /// wide halo around it.
     void spread(double deviation);
 
     Light at(std::size_t pixel) const;
@@ -37,7 +37,7 @@ private:
     Size size_;
     int channels_;
     std::size_t pixels_;
-    std::vector<float> planes_; ///< one behind the other, rows from the top
+    std::vector<float> planes_; ///< one after the other, rows from the top
 };
 
 }

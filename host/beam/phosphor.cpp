@@ -13,10 +13,10 @@ constexpr double gamma = 2.2;       // of pictures on the PC
 constexpr double sensitivity = 2.6; // light of 1 becomes 0.93 of white
 constexpr float max_light = 5;      // from here on everything is white
 constexpr int steps = 8192;         // of the square root of light, which is finer where it is dark
-constexpr float spill = 0.05F;      // share of other colours' light that a sensor takes for its own
+constexpr float spill = 0.05F;      // the fraction of other colours' light that a sensor takes for its own
 
-/// Levels of one channel stand for colours whose channels get lighter at different times: they are told apart
-/// up to more light than one channel of rgb.
+/// Levels of one channel represent colours whose channels get lighter at different times: they can be
+/// distinguished up to more light than one channel of rgb.
 constexpr double level_sensitivity = 1;
 
 struct Tint {

@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// What glows where the beam meets it.
+/// What glows where the beam hits it.
 enum class Phosphor : std::uint8_t {
     green,
     blue,
@@ -34,9 +34,9 @@ public:
 
     /// How many colours of light there are: 3 for rgb, else 1.
     int channels() const { return phosphor_ == Phosphor::rgb ? 3 : 1; }
-    /// Of a beam of this colour, 0 … 1 each.
+    /// The light of a beam of this colour, 0 … 1 each.
     Light light_of(Colour colour) const;
-    /// Of light of 0 or more. With one channel there are no more than 256 colours.
+    /// The colour of light of 0 or more. With one channel there are no more than 256 colours.
     Colour developed(const Light& light) const;
 
 private:

@@ -17,20 +17,20 @@ struct ProfileChoice {
 };
 
 std::span<const ProfileChoice> profile_choices();
-/// Null if none is called so.
+/// Returns null if none has that name.
 const ProfileChoice* profile_named(std::string_view name);
-/// Of all of them, for messages.
+/// The names of all of them, for messages.
 std::vector<std::string_view> profile_names();
 
 /// A profile, and the ready one that it is or began as.
 struct ChosenBeam {
     BeamProfile profile;
     std::string_view base;
-    std::string file = {}; ///< that describes it; empty if it is a ready one
+    std::string file = {}; ///< the one that describes it; empty if it is a ready one
 };
 
-/// The beam that is called so, or that the file of this name describes: a name with a dot or a slash is
-/// that of a file. What is wrong with a file is printed to `out`.
+/// The beam of that name, or that the file of this name describes: a name with a dot or a slash is
+/// that of a file. Mistakes in a file are printed to `out`.
 /// Throws Failure for a name that no profile has and for a file that describes none.
 ChosenBeam chosen_beam(const std::string& name, std::ostream& out = std::cerr);
 inline BeamProfile chosen_profile(const std::string& name) { return chosen_beam(name).profile; }

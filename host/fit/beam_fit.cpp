@@ -18,11 +18,11 @@ constexpr std::size_t point_bytes = 4;
 constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pause between them
 constexpr int readable_speed_level = 4;  ///< beyond twice the speed, lines grow too dark or too coarse
 
-/// Of the program that plays for a beam, with the core (tests/bench/image/beam).
+/// The size of the program that plays for a beam, with the core (tests/bench/image/beam).
 constexpr std::size_t beam_code = 65704;
 
-/// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels: fitted to what
-/// scripts/bench_beam tells of 12 examples, within 15 %. To plot a picture, as often as one is shown; and to
+/// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels: fitted to the results
+/// of scripts/bench_beam for 12 examples, within 15 %. To plot a picture, as often as one is shown; and to
 /// clip its lines, count them and put them in order, where it is not the one before.
 constexpr double per_plotted_corner = 490;
 constexpr double per_plotted_point = 120;
@@ -94,7 +94,7 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
                              " can be reached");
 }
 
-/// Of those that are drawn whole: the others are a reason not to fit.
+/// About pictures that are drawn completely: the others are a reason not to fit.
 void note_speed_level(const BeamFit& fit, std::vector<std::string>& notes)
 {
     int max = 0;

@@ -14,7 +14,7 @@
 
 namespace kfast::fit {
 
-/// Points that find room in one of the two buffers of a board with a beam.
+/// The number of points that find room in one of the two buffers of a board with a beam.
 std::uint32_t room_for_points(const Target& target);
 
 /// One picture of a scene, as a board draws it.
@@ -28,10 +28,10 @@ struct BeamMoment {
 /// Whether a scene fits a board with a beam, and what its pictures take.
 struct BeamFit {
     FlashNeed flash;
-    RamNeed ram;                         ///< the buffers for points in place of bands
-    std::vector<BeamMoment> pictures;    ///< those with least points first
-    std::size_t sped_up = 0;             ///< of them, drawn faster than the profile has it
-    std::size_t incomplete = 0;          ///< of them, not all lines are drawn
+    RamNeed ram;                         ///< with the buffers for points in place of bands
+    std::vector<BeamMoment> pictures;    ///< those with fewest points first
+    std::size_t sped_up = 0;             ///< how many of them are drawn faster than in the profile
+    std::size_t incomplete = 0;          ///< how many of them lack lines
     double dearest_seconds = 0;          ///< of the CPU
     double wanted_rate = 0;              ///< frames per second
     std::vector<std::string> shortages;  ///< of memory, and how much is missing; none if it can be played
@@ -48,7 +48,7 @@ struct BeamFit {
 /// How often a picture is drawn in a second.
 double refresh(const BeamMoment& picture, const BeamProfile& profile);
 
-/// `target` has a beam. `frames_per_second` is how many new pictures are wanted; 0: those of the scene.
+/// `target` has a beam. `frames_per_second` is the wanted rate of new pictures; 0: those of the scene.
 /// Throws FitStopped.
 BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per_second,
                  const std::stop_token& stop = {}, const ProgressCallback& on_progress = ignore_progress);

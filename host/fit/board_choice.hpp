@@ -8,10 +8,10 @@
 
 namespace kfast::fit {
 
-/// A name with a dot or a slash is that of a file that describes a board.
+/// Whether the name is that of a file that describes a board: it has a dot or a slash.
 bool names_board_file(const std::string& name);
 
-/// The board that is called so, or that the file of this name describes. What is wrong with a file is printed
+/// The board of that name, or that the file of this name describes. Mistakes in a file are printed
 /// to `out`.
 /// Throws Failure for a name that no board has and for a file that describes none.
 Target chosen_board(const std::string& name, std::ostream& out = std::cerr);

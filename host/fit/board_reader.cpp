@@ -178,7 +178,7 @@ bool has_part(const kdl::Node& node, std::string_view name)
     return std::ranges::any_of(node.children, [name](const kdl::Node& part) { return part.name == name; });
 }
 
-/// A panel, or a beam that a converter leads.
+/// Requires a panel, or a beam that a converter drives.
 void require_display(const kdl::Node& node, const Target& target, Report& report)
 {
     const bool has_beam = has_part(node, beam_form.name);

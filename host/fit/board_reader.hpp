@@ -9,11 +9,11 @@
 
 namespace kfast::fit {
 
-/// As a description of a board has it: "parallel-8"
+/// As in a description of a board: "parallel-8"
 std::string_view word_of(BusKind kind);
 
-/// Reads the description of a board (docs/fit.md). Any text is allowed; what is wrong goes to `diagnostics`,
-/// and there is a target exactly when nothing was.
+/// Reads the description of a board (docs/fit.md). Any text is allowed; mistakes are reported to
+/// `diagnostics`, and there is a target exactly when there are none.
 std::optional<Target> read_board(const SourceText& source, Diagnostics& diagnostics);
 
 }

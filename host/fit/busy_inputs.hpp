@@ -13,36 +13,36 @@ namespace kfast::fit {
 
 /// How drawings go up and down between top and bottom.
 enum class Bustle : std::uint8_t {
-    waves, ///< one for every eight points, as high as chance has it: a lively plot
+    waves, ///< one for every eight points, of random height: a lively plot
     noise, ///< at every point: hardly anything is harder to draw
 };
 
-/// What may come to the input `number` of the scene, a drawing: all the points that it takes, in as many
-/// strokes, from the left to the right of its usual drawing, or of the canvas where that has no extent.
-/// Another one for each `frame`, always the same.
+/// A drawing that may come to the input `number` of the scene: all the points that it takes, in as many
+/// strokes, from the left to the right of its default drawing, or of the canvas where that has no extent.
+/// A different one for each `frame`, always the same.
 ReceivedDrawing busy_drawing(const SceneView& scene, std::uint32_t number, Bustle bustle, int frame);
 
-/// Sets a player's inputs to the worst that there may be.
+/// Sets a player's inputs to the worst case.
 class BusyInputs {
 public:
     /// Frames in which the slowest input goes there and back.
     static constexpr int turn = 64;
 
-    /// `player` has the usual inputs, and must outlive it.
+    /// `player` has the default inputs, and must outlive it.
     explicit BusyInputs(SceneState& player);
 
     /// Numbers go there and back, each faster than the one before; drawings wave (Bustle::waves); texts
     /// change with every frame, from as many of the character with most points as there may be to as many of
     /// the next one.
     void put(int frame);
-    /// Numbers stand at `place`.
+    /// Sets all numbers to `place`.
     void put_all(Time place);
-    /// Drawings are noise.
+    /// Sets all drawings to noise.
     void put_noise(int frame);
     void put_default();
 
 private:
-    /// What a text of the scene is in turn.
+    /// The values of a text of the scene, alternately.
     struct LongText {
         std::uint32_t input;
         std::array<std::string, 2> texts;
@@ -59,7 +59,7 @@ private:
 
     SceneState& player_;
     std::vector<LongText> texts_;
-    std::vector<ReceivedDrawing> default_drawings_; ///< of each input; empty of numbers
+    std::vector<ReceivedDrawing> default_drawings_; ///< of each input; empty for numbers
 };
 
 }

@@ -15,7 +15,7 @@ struct ProcessorCosts {
     std::size_t bare_code = 0; ///< without any
     std::array<std::size_t, feature_count> feature_code{}; ///< what each of them adds to that by itself
     std::size_t fixed_ram = 0;           ///< besides the lent block: the player and the loop
-    std::size_t stack = 0;               ///< the deepest that was measured
+    std::size_t stack = 0;               ///< the maximum that was measured
     double cycles = 0;                   ///< for an instruction, on average, from memory without wait states
     double frame = 0;                    ///< instructions for every frame …
     double area = 0;                     ///< … and for every area that is sent
@@ -33,7 +33,7 @@ inline double instructions(const OpCounts& work, const ProcessorCosts& costs)
     return sum;
 }
 
-/// Of a whole frame.
+/// The instructions of a whole frame.
 inline double instructions(const OpCounts& work, std::size_t areas, const ProcessorCosts& costs)
 {
     return costs.frame + costs.area * static_cast<double>(areas) + instructions(work, costs);

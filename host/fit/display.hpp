@@ -11,18 +11,18 @@
 
 namespace kfast::fit {
 
-/// A panel, as far as it decides what is drawn and sent.
+/// A panel, as far as it determines what is drawn and sent.
 struct Display {
     std::string_view name = {};
     Size size;
     PixelFormat format = PixelFormat::rgb565;
-    Size granularity{1, 1};        ///< places and sizes of what is sent are multiples of this
+    Size granularity{1, 1};        ///< positions and sizes of what is sent are multiples of this
     std::size_t window_bytes = 11; ///< commands that open a window
     double rated_spi = 0;          ///< Hz that the maker allows for writing; 0: not known
     bool is_driven = true;         ///< there is a driver for it: boards and the preview show it, too
 };
 
-/// The same display, sent pixels of another format.
+/// The same display, with pixels of another format.
 Display taking(PixelFormat format, Display display);
 
 /// The controller of that name, or null.
@@ -30,11 +30,11 @@ const Display* display_named(std::string_view name);
 /// All controllers that are known: those with a driver (firmware/settings/controller_facts.hpp), and some for
 /// estimates alone.
 std::span<const Display> displays();
-/// Of all of them.
+/// The names of all of them.
 std::vector<std::string_view> display_names();
 /// The first one whose pixels have as many bits as those of `format`, or null.
 const Display* display_like(PixelFormat format);
-/// The hint for a name that no controller has (host/text/suggestion.hpp).
+/// The hint for a name of no controller (host/text/suggestion.hpp).
 std::string display_suggestion(std::string_view name);
 
 }

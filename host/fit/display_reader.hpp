@@ -8,7 +8,7 @@
 
 namespace kfast::fit {
 
-/// `panel st7789`, `panel st7789 240 320` or `panel 240 240 format=rgb565`. Reports what is wrong and then
+/// `panel st7789`, `panel st7789 240 320` or `panel 240 240 format=rgb565`. Reports mistakes and then
 /// returns nothing.
 std::optional<Display> read_display(const kdl::Node& node, schema::Report& report);
 

@@ -18,7 +18,7 @@ namespace kfast::fit {
 
 namespace {
 
-/// What the objects of a scene are called, by their paths (core/scene/item_view.hpp).
+/// The names of the objects of a scene, by their paths (core/scene/item_view.hpp).
 class ItemLabels {
 public:
     /// `names` are those of the items in the order in which the scene stores them, or none.
@@ -115,7 +115,7 @@ void check_outlines(const FitReport& report, std::vector<std::string>& shortages
         report.overfull_object);
 }
 
-/// What has to become less for more frames: pixels that change, or what there is to compute.
+/// What has to be reduced for more frames: pixels that change, or what there is to compute.
 std::string bottleneck_of(const FitReport& report, const FrameCost& frame)
 {
     if (frame.bus_seconds > frame.cpu_seconds)
@@ -166,7 +166,7 @@ void note_stride(const FitReport& report, std::vector<std::string>& notes)
                         " was looked at");
 }
 
-/// Parts that are missing are a shortage: check_outlines().
+/// Missing parts are a shortage: check_outlines().
 void note_coarse_pictures(const FitReport& report, std::vector<std::string>& notes)
 {
     if (const std::size_t coarse = report.speed.coarse_pictures)
@@ -185,7 +185,7 @@ void note_features(const FitReport& report, const Target& target, std::vector<st
                         bytes_text(rest) + " more: docs/library.md, \"Only what a scene needs\"");
 }
 
-/// Where a computer cannot tell an input anew for every frame.
+/// Where a computer cannot set an input anew for every frame.
 void note_link(const FitReport& report, std::vector<std::string>& notes)
 {
     for (const LinkUpdate& update : report.link)

@@ -11,14 +11,14 @@
 
 namespace kfast::fit {
 
-/// What is asked of a board.
+/// What is required of a board.
 struct FitWish {
     const SceneView& scene;
     std::span<const std::string> item_names; ///< in the order in which the scene stores items, or none
     const Target& target;
     Fit fit = Fit::contain;
     double frames_per_second = 0; ///< that every second frame reaches at least; 0: those of the scene
-    std::stop_token stop = {};    ///< tells when it is not wanted any more
+    std::stop_token stop = {};    ///< is set when it is not wanted any more
     ProgressCallback on_progress = ignore_progress;
 };
 
@@ -27,7 +27,7 @@ struct FitReport {
     FlashNeed flash;
     RamNeed ram;
     Speed speed;
-    std::vector<LinkUpdate> link;       ///< what telling its inputs takes, if it has some
+    std::vector<LinkUpdate> link;       ///< what setting its inputs takes, if it has some
     double wanted_rate = 0;             ///< frames per second
     Lateness late;                      ///< at that rate
     Lateness late_with_inputs;          ///< while its inputs move; of no frames if it has none
@@ -40,7 +40,7 @@ struct FitReport {
 
     /// Why it does not fit: shortages and slowness. None if it does.
     std::vector<std::string> reasons() const;
-    /// "12 of 76 pictures late": although it fits, and whether that is while its inputs move or leap alone.
+    /// "12 of 76 pictures late": although it fits, and whether only while its inputs move or leap.
     /// Empty if none is late.
     std::string lateness_text() const;
     bool fits() const { return shortages.empty() && slowness.empty(); }

@@ -41,7 +41,7 @@ public:
     ~OpLog() override;
     OpLog(const OpLog&) = delete;
 
-    /// Since the beginning or clear(), by the paths of items; what is done for none of them under 0.
+    /// The counts since the beginning or clear(), by the paths of items; what is done for none is under 0.
     const std::unordered_map<std::uint32_t, OpCounts>& by_item() const { return counts_by_item_; }
     void clear();
 

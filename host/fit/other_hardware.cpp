@@ -7,13 +7,13 @@ namespace kfast::fit {
 
 namespace {
 
-// Of boards that can be described: which costs the estimate has.
+// For boards that can be described: which costs the estimate has.
 constexpr std::string_view measured = "the costs are those of its core";
 constexpr std::string_view foreign = "memory is right, but speed is a guess, for it has other instructions: "
                                      "change cycles= until the milliseconds are "
                                      "those that you measure (docs/fit.md)";
 
-// Of others: how the sentence goes on that begins with what it is.
+// For others: the end of the sentence that begins with what it is.
 constexpr std::string_view too_small = "has 8 bits and a few KiB of memory, and the player takes about 60 "
                                        "KiB of flash and 20 KiB of RAM: take a board "
                                        "of 32 bits, such as a Pico";
@@ -23,9 +23,9 @@ constexpr std::string_view linux_board =
 
 constexpr std::string_view wide_spi = "(MHz)40";
 
-/// For estimates to begin with. Clocks of processors and memory are those of the pages that stand beside
+/// For estimates to begin with. Clocks of processors and memory are those of the pages that are given beside
 /// them; RAM is that which a program has in one piece, also where the chip has more. The clocks of SPI are
-/// plausible and no more, but for 40 MHz of an ESP32 (https://esp32.com/viewtopic.php?p=5483) and 32 MHz of
+/// only plausible, except for 40 MHz of an ESP32 (https://esp32.com/viewtopic.php?p=5483) and 32 MHz of
 /// an nRF52840 (https://github.com/adafruit/Adafruit_nRF52_Arduino/pull/360). None of these boards has been
 /// tried.
 constexpr std::array boards{
@@ -225,7 +225,7 @@ std::optional<std::string> other_core_text(std::string_view name)
 
 namespace {
 
-// How the sentence goes on that begins with what it is.
+// The end of the sentence that begins with what it is.
 constexpr std::string_view pages = "takes pages of 8 rows, no rectangles: take one with an SSD1306";
 constexpr std::string_view not_yet =
     "has no driver yet; for an estimate describe it with the board, as panel 320 240 format=rgb565";

@@ -12,12 +12,12 @@
 /// instead. Capitals, spaces, dashes and underscores in names do not count.
 namespace kfast::fit {
 
-/// What a name stands for, as whoever asks for it should know.
+/// What a name represents, for the user who asks for it.
 struct OtherName {
     std::string_view names; ///< as they are asked for, with spaces between them: "pico2 pico2w rp2350"
     std::string_view what;  ///< "a Pico 2 (RP2350, Cortex-M33)"
     std::string_view
-        hint; ///< how the sentence goes on; of a board that can be described, which costs it takes
+        hint; ///< the end of the sentence; for a board that can be described, which costs it takes
 };
 
 /// A board that has another chip than those that there is firmware for.

@@ -33,7 +33,7 @@ std::size_t player_code(FeatureSet features, Processor processor)
     std::size_t code = costs.bare_code;
     for (const Feature feature : features_in(features))
         code += costs.feature_code[static_cast<std::size_t>(feature)];
-    return std::min(code, costs.code); // what several of them share was counted for each
+    return std::min(code, costs.code); // code that several of them have in common was counted for each
 }
 
 FlashNeed flash_need(const SceneView& scene, const Target& target)

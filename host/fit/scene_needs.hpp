@@ -25,11 +25,11 @@ struct FlashNeed {
     std::optional<FeatureSet> features{}; ///< all that the player has; none: every one
 
     std::size_t sum() const { return player + scene + reserved; }
-    /// What is there for scenes, next to the firmware.
+    /// The room for scenes, next to the firmware.
     std::size_t room(std::size_t available) const { return room_beside(player + reserved, available); }
 };
 
-/// Bytes of RAM: enough for every moment of the scene.
+/// Bytes of RAM: enough for every time of the scene.
 struct RamNeed {
     std::size_t block = 0;
     std::size_t bands = 0;
@@ -38,22 +38,22 @@ struct RamNeed {
     std::size_t reserved = 0;
 
     std::size_t sum() const { return block + bands + fixed + stack + reserved; }
-    /// What is there for the blocks of scenes, next to the firmware.
+    /// The room for the blocks of scenes, next to the firmware.
     std::size_t room(std::size_t available) const { return room_beside(sum() - block, available); }
 };
 
-/// Code and constants of a player with these features and no others; no less than it is.
+/// Code and constants of a player with these features and no others; no less than in fact.
 std::size_t player_code(FeatureSet features, Processor processor);
 
 FlashNeed flash_need(const SceneView& scene, const Target& target);
 RamNeed ram_need(const SceneView& scene, const Target& target);
-/// Of one of the bands: a row of the panel, or as many as it takes together.
+/// The size of one of the bands: a row of the panel, or as many as it takes together.
 std::size_t min_band(const Display& display);
 
-/// Reports of 64 bytes that a device takes by USB at most (boards/pico/README.md, "USB").
+/// The maximum number of reports of 64 bytes that a device takes by USB (boards/pico/README.md, "USB").
 inline constexpr double reports_per_second = 1000;
 
-/// What telling inputs of a scene takes on the link (docs/link.md).
+/// What setting inputs of a scene takes on the link (docs/link.md).
 struct LinkUpdate {
     std::string what;        ///< "13 numbers", "plot, 200 points in 1 stroke"
     std::size_t reports = 0; ///< for all of it

@@ -9,7 +9,7 @@ namespace kfast::fit {
 
 namespace {
 
-/// As the scene says, but what would end comes round again: it may be played again at any time.
+/// As in the scene, but what would end is repeated: it may be played again at any time.
 PlayRange steady_stretch(const SceneView& scene)
 {
     PlayRange stretch = play_range_of(scene);
@@ -24,7 +24,7 @@ int frames_in_turn(const PlayRange& stretch)
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
 }
 
-/// Never less than a row that the panel takes: whether the real ones hold it is told elsewhere.
+/// Never less than a row that the panel takes: whether the real ones hold it is checked elsewhere.
 std::vector<std::byte> band_for(const Target& target)
 {
     const Display& display = target.display;

@@ -22,7 +22,7 @@ namespace kfast::fit {
 struct FrameOps {
     Time moment;
     const std::unordered_map<std::uint32_t, OpCounts>& by_item; ///< valid during the call
-    const raster::Picture& picture;                             ///< likewise
+    const raster::Picture& picture;                             ///< valid during the call
     std::size_t areas = 0;
     std::size_t bytes = 0;    ///< of pixels and of the commands for areas
     int unrecorded_bands = 0; ///< Player::unrecorded_bands()
@@ -32,7 +32,7 @@ struct FrameOps {
 
 using VisitFrame = std::function<void(const FrameOps&)>;
 
-/// Plays one turn of a scene as a board does, in steps of a frame, and calls visit() for every frame. Of a
+/// Plays one round of a scene as a board does, in steps of a frame, and calls visit() for every frame. In a
 /// scene that is longer than `max_frames`, some frames are left out.
 class SceneRun {
 public:
@@ -41,26 +41,26 @@ public:
     /// `scene` and `target` must outlive it.
     SceneRun(const SceneView& scene, const Target& target, Fit fit);
 
-    /// The whole panel, as at the beginning of `offset`.
+    /// Visits the whole panel, as at the beginning of `offset`.
     void visit_first(Time offset, const VisitFrame& visit);
-    /// All frames, each `offset` later than it stands in the scene: what changes since the one before.
+    /// Visits all frames, each `offset` later than in the scene: what changes since the one before.
     void visit_turn(Time offset, const VisitFrame& visit);
-    /// Three pictures as of buttons that are pressed at once and let go: all inputs leap from end to end.
-    /// Nothing if the scene has none; they stand at their defaults afterwards.
+    /// Visits three pictures as of buttons that are pressed at once and released: all inputs leap from end to
+    /// end. Does nothing if the scene has none; they are at their defaults afterwards.
     void visit_presses(const VisitFrame& visit);
     /// As visit_turn(), while all inputs of the scene are busy (BusyInputs): at least BusyInputs::turn
-    /// frames. Nothing if it has none; they stand at their defaults afterwards.
+    /// frames. Does nothing if it has none; they are at their defaults afterwards.
     void visit_turn_with_inputs(const VisitFrame& visit);
-    /// A picture in which all drawings among the inputs are noise, after another such picture; nothing if
-    /// there are none. They are as usual afterwards.
+    /// Visits a picture in which all drawings among the inputs are noise, after another such picture; nothing
+    /// if there are none. They are at their defaults afterwards.
     void visit_noise(const VisitFrame& visit);
-    /// The very end, which the scene shows at last if it plays once; nothing otherwise.
+    /// Visits the very end, which the scene shows at last if it plays once; does nothing otherwise.
     void visit_end(const VisitFrame& visit);
-    /// Of the first picture so far that was not complete for want of room, also of one that was not visited.
+    /// The outlines of the first picture so far that was not complete for want of room, even if not visited.
     const std::optional<LargestOutlines>& overfull() const { return overfull_; }
-    /// Of visit_turn(), twice, and of visit_turn_with_inputs(), more or less.
+    /// The approximate number of frames of visit_turn(), twice, and of visit_turn_with_inputs().
     std::size_t frames_of_all() const;
-    /// 1, or of how many frames one is visited.
+    /// 1, or the number of frames of which one is visited.
     int stride() const { return stride_; }
 
 private:
@@ -70,7 +70,7 @@ private:
 
     const Target& target_;
     PlayRange stretch_;
-    int frames_; ///< until the picture comes round again
+    int frames_; ///< until the picture repeats
     int stride_;
     WordBlock block_;
     std::vector<std::byte> band_;
@@ -85,14 +85,14 @@ struct BeamPicture {
     BeamReport report;
     OpCounts work{}; ///< of evaluating the scene
 
-    /// It was not the one before, which is not computed again.
+    /// Whether it is another one than before, which is not computed again.
     bool is_new() const { return work[static_cast<std::size_t>(Op::item)] != 0; }
 };
 
 using VisitPicture = std::function<void(const BeamPicture&)>;
 
-/// Plays one turn of a scene as a board with a beam does, in steps of a frame. Of a scene that is longer than
-/// `max_frames`, some frames are left out.
+/// Plays one round of a scene as a board with a beam does, in steps of a frame. In a scene that is longer
+/// than `max_frames`, some frames are left out.
 class BeamRun {
 public:
     static constexpr int max_frames = 4096;
@@ -100,13 +100,13 @@ public:
     /// `scene` must outlive it. `target` has a beam.
     BeamRun(const SceneView& scene, const Target& target);
 
-    /// All frames; those again with busy inputs (BusyInputs), if there are some, three in which all inputs
-    /// leap from end to end, and one in which all drawings are noise; and the very end of a scene that plays
-    /// once.
+    /// Visits all frames; those again with busy inputs (BusyInputs), if there are some, three in which all
+    /// inputs leap from end to end, and one in which all drawings are noise; and the very end of a scene that
+    /// plays once.
     void visit_all(const VisitPicture& visit);
-    /// Of visit_all(), more or less.
+    /// The approximate number of frames of visit_all().
     std::size_t frames_of_all() const;
-    /// 1, or of how many frames one is visited.
+    /// 1, or the number of frames of which one is visited.
     int stride() const { return stride_; }
 
 private:
@@ -115,7 +115,7 @@ private:
     Time moment_of(int frame) const;
 
     PlayRange stretch_;
-    int frames_; ///< until the picture comes round again
+    int frames_; ///< until the picture repeats
     int stride_;
     WordBlock block_;
     BeamPlayer player_;

@@ -17,10 +17,10 @@
 
 namespace kfast::fit {
 
-/// For figures that were rounded, as a factor: 16.667 ms are 60 fps.
+/// For numbers that were rounded, as a factor: 16.667 ms are 60 fps.
 inline constexpr double slack = 1.0001;
 
-/// Thrown by a report that is not wanted any more, after the picture that it looks at.
+/// Thrown by a report that is not wanted any more, after the current picture.
 struct FitStopped {};
 
 inline void go_on(const std::stop_token& stop)
@@ -29,17 +29,17 @@ inline void go_on(const std::stop_token& stop)
         throw FitStopped{};
 }
 
-/// How many frames of one turn of a scene a board shows late, or not at all. It begins each frame when it is
+/// How many frames of one round of a scene a board shows late, or not at all. It begins each frame when it is
 /// due, or at once if that has passed (firmware/run/run.hpp).
 struct Lateness {
-    std::size_t frames = 0;   ///< of the turn
+    std::size_t frames = 0;   ///< of the round
     std::size_t late = 0;     ///< those that are not finished when the next one is due, or are left out
     std::size_t left_out = 0; ///< those of them whose time had passed before they were begun
 
     bool is_all() const { return late != 0 && late == frames; }
 };
 
-/// `seconds` has how long the board takes for each frame of the turn, in their order; more than 1000 s count
+/// `seconds` has how long the board takes for each frame of the round, in their order; more than 1000 s count
 /// as 1000 s. `frames_per_second` is the wanted rate, at least 0.001.
 Lateness lateness(std::span<const double> seconds, double frames_per_second);
 
@@ -73,8 +73,8 @@ struct Speed {
     Limits by_cpu;
     Limits by_bus;
     std::size_t coarse_pictures = 0; ///< of the frames: curves have fewer pieces, for want of room
-    int unrecorded_bands = 0;        ///< after any picture, at most: drawn whole in the next one (Player)
-    int stride = 1;                  ///< of how many frames one was looked at
+    int unrecorded_bands = 0;        ///< the maximum after any picture: drawn whole in the next one (Player)
+    int stride = 1;                  ///< of how many frames one was measured
 
     const FrameCost& median() const { return frames[frames.size() / 2]; }
     const FrameCost& worst() const { return frames.back(); }

@@ -11,14 +11,14 @@
 
 namespace kfast::fit {
 
-/// A kind of CPU, as far as it decides what code is compiled for it. The Cortex-M0+ runs what the M0 runs.
+/// A kind of CPU, as far as it determines what code is compiled for it. The Cortex-M0+ runs what the M0 runs.
 enum class Processor : std::uint8_t { cortex_m0, cortex_m3, cortex_m4, cortex_m7, cortex_m33 };
 
 inline constexpr std::size_t processor_count = 5;
 
 enum class BusKind : std::uint8_t { spi, parallel_8, parallel_16, i2c, dac };
 
-/// The wires to the panel, or to the converter that leads a beam.
+/// The wires to the panel, or to the converter that drives a beam.
 struct Bus {
     BusKind kind = BusKind::spi;
     double clock = 0; ///< Hz: bits of spi, i2c and dac, writes of the parallel ones
@@ -40,7 +40,7 @@ struct Bus {
     }
 };
 
-/// What a part of the rest of a program takes, besides the player: "slots".
+/// The memory of a part of the rest of a program, besides the player: "slots".
 struct Reserved {
     std::string name = {};
     std::size_t flash = 0;
@@ -53,7 +53,7 @@ struct Target {
     Processor processor = Processor::cortex_m0;
     std::string processor_name; ///< as its maker calls it: "cortex-m0+"
     double clock = 0;           ///< Hz
-    double cycles = 0; ///< of the clock for an instruction, on average; 0: as usual for the processor
+    double cycles = 0; ///< of the clock for an instruction, on average; 0: the default of the processor
     std::size_t flash = 0;
     std::size_t ram = 0;
     Bus bus;

@@ -30,7 +30,7 @@ struct Part {
 
 std::string exact_text(std::size_t bytes) { return std::to_string(bytes); }
 
-/// Of those parts that are more than nothing.
+/// Lists the parts that are not zero.
 std::string list_of(const std::vector<Part>& parts, std::string (*text)(std::size_t))
 {
     std::string list;

@@ -1,4 +1,4 @@
-// Tells what the core does for each frame of a scene, on a panel of its canvas's size, as the images of
+// Prints what the core does for each frame of a scene, on a panel of its canvas's size, as the images of
 // tests/bench play it: what cost_table.cpp is made from (scripts/calibrate), and what it makes of that.
 //
 //     kfast-work SCENE      a line of names; then for each frame its areas, bytes, the instructions that the

@@ -1,5 +1,5 @@
-// libusb is begun anew for each look: without udev at work it never sees what is plugged in after its
-// beginning.
+// libusb is initialized anew for each look: without udev at work it never sees what is plugged in after its
+// initialization.
 
 #include "host/flash/boot_board.hpp"
 
@@ -54,7 +54,7 @@ std::vector<Device> attached()
 libusb_device_descriptor descriptor_of(const Device& device)
 {
     libusb_device_descriptor descriptor{};
-    ::libusb_get_device_descriptor(device.get(), &descriptor); // never fails, as its documentation says
+    ::libusb_get_device_descriptor(device.get(), &descriptor); // never fails, according to its documentation
     return descriptor;
 }
 
@@ -93,7 +93,7 @@ std::string file_of(const Device& device)
     return path.data();
 }
 
-/// Throws what that error is.
+/// Throws the Failure for that error.
 [[noreturn]] void fail(int error)
 {
     switch (error) {
@@ -114,7 +114,7 @@ std::string file_of(const Device& device)
     }
 }
 
-/// The number or length that it is, unless it is an error.
+/// The number or length that it represents, unless it is an error.
 int checked(int result)
 {
     if (result < 0)
@@ -204,7 +204,7 @@ private:
     Endpoints endpoints_;
 };
 
-/// Its endpoints, if it is an interface of PICOBOOT.
+/// The endpoints of the interface, if it is one of PICOBOOT.
 std::optional<Endpoints> endpoints_of(const libusb_interface_descriptor& interface)
 {
     if (interface.bInterfaceClass != LIBUSB_CLASS_VENDOR_SPEC || interface.bNumEndpoints != 2)

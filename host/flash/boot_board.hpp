@@ -11,10 +11,10 @@
 
 namespace kfast {
 
-/// The boot loader of a chip, which gives a computer access to its flash. What it speaks is chosen at run
+/// The boot loader of a chip, which gives a computer access to its flash. Its protocol is chosen at run
 /// time, hence virtual. Addresses are those of the chip's memory map.
 ///
-/// All members throw Failure: with unplugged, with timed_out, and with refused when the boot loader says no.
+/// All members throw Failure: with unplugged, with timed_out, and with refused when the boot loader refuses.
 class BootLoader {
 public:
     BootLoader() = default;
@@ -22,13 +22,13 @@ public:
     BootLoader(const BootLoader&) = delete;
     BootLoader& operator=(const BootLoader&) = delete;
 
-    /// Of whole pages of 256 bytes.
+    /// Reads whole pages of 256 bytes.
     virtual void read(std::uint32_t address, std::span<std::byte> bytes) = 0;
-    /// Of whole sectors of 4 KiB.
+    /// Erases whole sectors of 4 KiB.
     virtual void erase(std::uint32_t address, std::size_t bytes) = 0;
-    /// Of whole pages that are erased; in the order of their addresses.
+    /// Writes whole pages that are erased; in the order of their addresses.
     virtual void write(std::uint32_t address, std::span<const std::byte> bytes) = 0;
-    /// Starts what lies in flash. The boot loader is gone then.
+    /// Starts what is in flash. The boot loader is gone then.
     virtual void restart() = 0;
 };
 
@@ -38,14 +38,14 @@ enum class BootChip : std::uint8_t { rp2040, rp2350 };
 /// A board whose boot loader waits at USB.
 struct BootBoard {
     BootChip chip = BootChip::rp2040;
-    /// Where it is plugged in, as Linux calls it: "1-2.3". The only thing that tells one from another: all
+    /// Where it is plugged in, in the notation of Linux: "1-2.3". The only thing that identifies it: all
     /// RP2040 have the same serial number there.
     std::string port;
 
     friend bool operator==(const BootBoard&, const BootBoard&) = default;
 };
 
-/// Those that are plugged in, in the order of their ports. Needs no permission.
+/// The boards that are plugged in, in the order of their ports. Needs no permission.
 std::vector<BootBoard> boards_in_boot_loader();
 
 /// The boot loader was started without PICOBOOT: it is a drive, and nothing else.
@@ -59,8 +59,8 @@ public:
     }
 };
 
-/// Throws NoPicoboot, and Failure with no_permission, no_device (it is gone), wrong_chip, refused (somebody
-/// else has it), and as BootLoader.
+/// Throws NoPicoboot, and Failure with no_permission, no_device (it is gone), wrong_chip, refused (another
+/// program has it), and as BootLoader.
 std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board);
 
 }

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// The numbers by which a computer knows the boot loaders of chips of Raspberry Pi.
+/// The numbers by which a computer identifies the boot loaders of chips of Raspberry Pi.
 namespace kfast::boot_usb {
 
 inline constexpr std::uint16_t vendor_id = 0x2e8a;

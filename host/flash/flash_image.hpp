@@ -18,7 +18,7 @@ inline std::string hex_text(std::uint64_t value)
     return text.data();
 }
 
-/// Bytes and where they belong in a chip's memory.
+/// Bytes and their address in a chip's memory.
 struct FlashRegion {
     std::uint32_t address = 0;
     std::vector<std::byte> bytes;
@@ -26,7 +26,7 @@ struct FlashRegion {
     friend bool operator==(const FlashRegion&, const FlashRegion&) = default;
 };
 
-/// What is to lie in flash: whole sectors of 4 KiB in the order of their addresses, padded with 0xFF. Sectors
+/// What is to be in flash: whole sectors of 4 KiB in the order of their addresses, padded with 0xFF. Sectors
 /// that no region touches stay as they are.
 class FlashImage {
 public:

@@ -56,7 +56,7 @@ void write_sector(BootLoader& boot_loader, const Sector& sector)
     boot_loader.write(sector.address, sector.bytes);
 }
 
-/// In the order in which a board that is left in between starts nothing.
+/// Writes in the order in which a board starts nothing if it is interrupted.
 class Writing {
 public:
     Writing(BootLoader& boot_loader, const FlashImage& image, const std::vector<std::size_t>& sectors,

@@ -1,9 +1,9 @@
-// PICOBOOT as the published sources of the boot ROM have it (raspberrypi/pico-bootrom-rp2040,
+// PICOBOOT according to the published sources of the boot ROM (raspberrypi/pico-bootrom-rp2040,
 // bootrom/usb_boot_device.c and async_task.c).
 //
 // A command is 32 bytes, then come the data, if there are any, then a packet without bytes in the direction
-// opposite to that of the last phase. What is wrong with a command stalls both endpoints, what goes wrong
-// with data stalls theirs, until a reset; the status tells what it was. An erasure that cannot be is
+// opposite to that of the last phase. An invalid command stalls both endpoints, an error
+// with data stalls theirs, until a reset; the status says what it was. An erasure that is not possible is
 // acknowledged all the same: that flash was erased shows only when it is read.
 
 #include "host/flash/picoboot.hpp"
@@ -43,7 +43,7 @@ constexpr std::uint8_t exit_xip_id = 0x06;
 constexpr std::uint8_t without_the_drive = 1;
 constexpr std::uint8_t with_ejected_drive = 2;
 
-/// For a restart from flash, of which the program counter 0 tells.
+/// For a restart from flash, which is requested by the program counter 0.
 constexpr std::uint32_t end_of_ram = 0x2004'2000;
 constexpr std::uint32_t restart_after_milliseconds = 500;
 
@@ -112,7 +112,7 @@ PicobootLoader::~PicobootLoader()
         return;
     try {
         reset();
-    } catch (const Failure&) { // whoever is next begins with a reset
+    } catch (const Failure&) { // the next program begins with a reset
     }
 }
 
@@ -155,7 +155,7 @@ void PicobootLoader::reset()
     pipe_->control_write(reset_request, patience);
 }
 
-/// Sends it. `bytes` of data follow.
+/// Sends a command. `bytes` of data follow.
 void PicobootLoader::begin(const Command& command, std::size_t bytes)
 {
     ByteWriter packet;
@@ -170,7 +170,7 @@ void PicobootLoader::begin(const Command& command, std::size_t bytes)
     pipe_->send(packet.bytes(), patience);
 }
 
-/// Of a command that fetches nothing.
+/// Finishes a command that fetches nothing.
 void PicobootLoader::finish()
 {
     std::array<std::byte, packet_bytes> nothing{};

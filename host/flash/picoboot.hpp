@@ -17,8 +17,8 @@ public:
     UsbStall() : Failure{"the device refuses a USB transfer", ExitStatus::refused} {}
 };
 
-/// An interface of a USB device that belongs to nobody else meanwhile, with a bulk endpoint in each
-/// direction. What is behind it is chosen at run time, hence virtual.
+/// An interface of a USB device that no other program has meanwhile, with a bulk endpoint in each
+/// direction. Its implementation is chosen at run time, hence virtual.
 ///
 /// All members throw UsbStall, and Failure with unplugged (the device is gone or the cable bad) and
 /// timed_out.
@@ -29,7 +29,7 @@ public:
     UsbPipe(const UsbPipe&) = delete;
     UsbPipe& operator=(const UsbPipe&) = delete;
 
-    /// All of them; a packet without bytes if there are none.
+    /// Sends all of them; a packet without bytes if there are none.
     virtual void send(std::span<const std::byte> bytes, std::chrono::milliseconds patience) = 0;
     /// Returns how many came: fewer where the device ended the transfer with a short packet. There is room
     /// for one byte at least.
@@ -40,15 +40,15 @@ public:
     virtual std::size_t ask(std::uint8_t request, std::span<std::byte> answer,
                             std::chrono::milliseconds patience) = 0;
 
-    /// Of those endpoints that are halted.
+    /// Clears the halt of those endpoints that are halted.
     virtual void clear_halts() = 0;
 };
 
 /// The boot loader in the ROM of an RP2040, which speaks PICOBOOT. From the beginning to the end of its life
-/// nobody else writes to flash: the drive of the boot loader takes no files.
+/// nothing else writes to flash: the drive of the boot loader takes no files.
 class PicobootLoader final : public BootLoader {
 public:
-    /// Frees the boot loader from what another program may have left unfinished, and takes it over. Throws as
+    /// Frees the boot loader from what another program may have left unfinished, and takes control. Throws as
     /// all members do.
     explicit PicobootLoader(std::unique_ptr<UsbPipe> pipe);
     ~PicobootLoader() override;

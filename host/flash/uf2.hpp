@@ -26,27 +26,27 @@ struct Uf2Block {
 
     std::uint32_t flags = names_family;
     std::uint32_t address = 0;
-    std::uint32_t payload_bytes = payload_size; ///< as it says itself
+    std::uint32_t payload_bytes = payload_size; ///< as given in the block
     std::uint32_t number = 0;
     std::uint32_t count = 0;              ///< of blocks of the file
     std::uint32_t family = 0;             ///< if the flags say so: otherwise the size of the file
     std::span<const std::byte> payload{}; ///< as much of it as a block has room for
 };
 
-/// What it returns looks into `bytes`. Nothing if they do not begin and end as a block.
+/// The result refers to `bytes`. None if they do not begin and end as a block.
 std::optional<Uf2Block> read_uf2_block(std::span<const std::byte, Uf2Block::bytes> bytes);
 
-/// With zeros behind the payload.
+/// Writes zeros after the payload.
 void write_uf2_block(ByteWriter& file, const Uf2Block& block);
 
 /// The Uf2Block::per_sector blocks of a sector. `first` has the number of the first one, the count and the
 /// family.
 void write_uf2_sector(ByteWriter& file, const FlashImage::Sector& sector, const Uf2Block& first);
 
-/// What every such file begins with.
+/// The beginning of every such file.
 inline constexpr std::string_view uf2_magic = "UF2\n";
 
-/// What tells the boot loaders of different chips which files are theirs.
+/// Identifies the files for the boot loader of a chip.
 inline constexpr std::uint32_t rp2040_family = 0xE48B'FF56;
 
 /// A file that a boot loader with a drive (BOOTSEL) writes to flash: whole sectors of 4 KiB in the order of
@@ -59,7 +59,7 @@ std::vector<std::byte> uf2_of(std::span<const FlashRegion> regions, std::uint32_
 
 /// What such a file writes, in the order of addresses, neighbours joined. The padding is part of it.
 ///
-/// Throws std::invalid_argument, naming the first block that is wrong and the reason (uf2_contents.hpp), also
+/// Throws std::invalid_argument, naming the first invalid block and the reason (uf2_contents.hpp), also
 /// when one is for another family.
 std::vector<FlashRegion> regions_of(std::span<const std::byte> file, std::uint32_t family = rp2040_family);
 

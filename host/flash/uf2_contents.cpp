@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint64_t end_of_addresses = std::uint64_t{1} << 32;
 constexpr std::uint32_t rp2040_flash = 0x1000'0000;
-constexpr std::uint32_t rp2040_memory = 0x2000'0000; ///< behind the addresses of flash
+constexpr std::uint32_t rp2040_memory = 0x2000'0000; ///< after the addresses of flash
 constexpr std::uint32_t rp2040_end = 0x2004'2000;
 
-/// What picotool puts in front of files for the RP2350, because of its erratum E10: a block that is not to be
+/// picotool puts a block before files for the RP2350, because of its erratum E10, that is not to be
 /// written, and says that it is one of two (raspberrypi/picotool, elf2uf2/elf2uf2.cpp, check_abs_block()).
 bool is_left_out(const Uf2Block& block)
 {
@@ -39,7 +39,7 @@ struct Piece {
 struct Family {
     Uf2Part part;
     std::uint32_t next = 0;                      ///< the number that the next block should have
-    std::optional<std::uint32_t> declared_count; ///< of its blocks, as they say
+    std::optional<std::uint32_t> declared_count; ///< of its blocks, as given in them
     std::vector<Piece> pieces;
 };
 
@@ -196,7 +196,7 @@ private:
     }
 
     std::span<const std::byte> file_;
-    std::size_t block_ = 0; ///< that is read
+    std::size_t block_ = 0; ///< the one that is being read
     std::vector<Family> families_;
     std::map<std::optional<std::uint32_t>, std::size_t> places_; ///< of families by their numbers
     std::size_t current_ = 0;                                    ///< the family of the block before

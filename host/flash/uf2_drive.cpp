@@ -22,7 +22,7 @@ namespace kfast {
 
 namespace {
 
-/// FAT, which boot loaders have, by its different drivers. Not memory, as in /tmp, where anybody may leave
+/// FAT, which boot loaders have, by its different drivers. Not memory, as in /tmp, where anybody may create
 /// what looks like a drive.
 constexpr std::array<std::string_view, 4> file_systems{"vfat", "msdos", "exfat", "fuseblk"};
 
@@ -63,11 +63,11 @@ std::vector<std::filesystem::path> mounted_folders(std::string_view mountinfo)
     return folders;
 }
 
-// What the boot ROM of the RP2040 makes of blocks, by its published sources (raspberrypi/pico-bootrom-rp2040,
+// How the boot ROM of the RP2040 handles blocks, by its published sources (raspberrypi/pico-bootrom-rp2040,
 // bootrom/virtual_disk.c): it erases the sector of an address when the first block arrives of those whose
 // numbers are 16 n to 16 n + 15, leaves out a number that it has had, begins anew when the count changes or a
 // block says that there are none, and restarts the board when it has had all numbers. Nothing it does depends
-// on their order, or on the places of the file where they stand.
+// on their order, or on their positions in the file.
 
 namespace {
 
@@ -89,7 +89,7 @@ std::optional<std::string> information_of(const fs::path& folder)
     return std::nullopt;
 }
 
-/// What stands behind "Board-ID: "; nothing if there is no such line.
+/// The text after "Board-ID: "; none if there is no such line.
 std::string board_in(std::string_view information)
 {
     constexpr std::string_view label = "Board-ID: ";
@@ -147,7 +147,7 @@ public:
                 fail(path_, errno);
     }
 
-    /// A board that restarts may be gone before it says that it has them.
+    /// A board that restarts may be gone before it acknowledges them.
     void write_last(std::span<const std::byte> bytes)
     {
         write_to_cache(bytes);
@@ -179,7 +179,7 @@ public:
     {
     }
 
-    /// Ends what a copy that was broken off may have begun.
+    /// Ends what an interrupted copy may have begun.
     std::vector<std::byte> forgetting()
     {
         constexpr std::array<std::byte, Uf2Block::payload_size> nothing{};
@@ -213,7 +213,7 @@ public:
     }
 
 private:
-    Uf2Block numbered_; ///< what the next sector begins with
+    Uf2Block numbered_; ///< the beginning of the next sector
 };
 
 }

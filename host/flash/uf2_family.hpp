@@ -13,8 +13,8 @@ struct Uf2Family {
     std::string_view name;
 };
 
-/// Chips that are often met, as microsoft/uf2 has them in utils/uf2families.json, and those of Raspberry Pi
-/// as its SDK has them.
+/// Common chips, as listed by microsoft/uf2 in utils/uf2families.json, and those of Raspberry Pi
+/// as listed by its SDK.
 inline constexpr std::array uf2_families{
     Uf2Family{0xe48bff56, "RP2040"},        Uf2Family{0xe48bff57, "RP2-absolute"},
     Uf2Family{0xe48bff58, "RP2-data"},      Uf2Family{0xe48bff59, "RP2350-ARM-S"},
@@ -31,10 +31,10 @@ inline constexpr std::array uf2_families{
     Uf2Family{0x4fb2d5bd, "MIMXRT10XX"},    Uf2Family{0x699b62ec, "CH32V"},
 };
 
-/// Empty if it is none of them.
+/// Returns an empty text if it is none of them.
 std::string_view uf2_family_name(std::uint32_t id);
 
-/// By its name, in small letters or capitals, or its number: "rp2040", "0xe48bff56".
+/// The family by its name, in small letters or capitals, or its number: "rp2040", "0xe48bff56".
 std::optional<std::uint32_t> uf2_family_called(std::string_view text);
 
 }

@@ -15,7 +15,7 @@
 namespace kfast {
 namespace {
 
-/// As the report descriptor of the firmware has it.
+/// As in the report descriptor of the firmware.
 constexpr unsigned short vendor_page = 0xFF00;
 
 std::string utf8(const wchar_t* text)

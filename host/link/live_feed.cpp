@@ -44,7 +44,7 @@ std::optional<LiveValues> LiveFeed::take(Milliseconds patience)
 
 namespace {
 
-/// So often failures and interruptions are looked for.
+/// How often failures and interruptions are checked.
 constexpr Milliseconds unheeded_at_most{100};
 
 /// The values of a line are in one report, as far as it has room.
@@ -82,7 +82,7 @@ public:
             for (const link::Report& report : drawing_reports(drawing, input, numbers_.at(input)++))
                 session_.send(report);
     }
-    /// So that the device knows that somebody is there.
+    /// Shows the device that somebody is there.
     void send_nothing() { session_.post(link::Inputs{}); }
 
 private:
@@ -107,7 +107,7 @@ void send_live(Session& session, LiveFeed& feed, Milliseconds keep_alive)
             last_sent = session.now();
         session.throw_pending_failure();
     }
-    session.ask<link::Playing>(link::AskPlaying{}); // what failed of the last values is reported before
+    session.ask<link::Playing>(link::AskPlaying{}); // failures of the last values are reported before
     session.throw_pending_failure();
 }
 

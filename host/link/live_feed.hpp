@@ -14,14 +14,14 @@
 
 namespace kfast {
 
-/// What inputs of a scene are to be from now on, by their numbers.
+/// New values of inputs of a scene, by their numbers.
 struct LiveValues {
     std::map<std::uint8_t, Time> places = {}; ///< of numbers: 0 … whole_input
     std::map<std::uint8_t, std::string> texts = {};
     std::map<std::uint8_t, ReceivedDrawing> drawings = {};
 
     bool empty() const { return places.empty() && texts.empty() && drawings.empty(); }
-    /// What is newer takes the place of what is here.
+    /// Newer values replace those here.
     void take(LiveValues newer)
     {
         newer.places.merge(places);
@@ -33,16 +33,16 @@ struct LiveValues {
     friend bool operator==(const LiveValues&, const LiveValues&) = default;
 };
 
-/// What a device is to be sent of live values, handed from the thread that reads them to the one that sends
+/// Live values to be sent to a device, handed from the thread that reads them to the one that sends
 /// them. What has not been sent yet is replaced by what is newer.
 class LiveFeed {
 public:
-    /// They belong together.
+    /// Adds values that belong together.
     void put(const LiveValues& values);
-    /// Nothing more will come.
+    /// Ends the feed: nothing more will come.
     void close();
 
-    /// What is new, for which it waits so long; nothing once all has been taken and nothing more will come.
+    /// The new values, waiting for `patience`; none once all has been taken and nothing more will come.
     std::optional<LiveValues> take(Milliseconds patience);
 
 private:

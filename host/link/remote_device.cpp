@@ -25,7 +25,7 @@ namespace kfast {
 
 namespace {
 
-/// How long a board may take no report, as the kernel has it for USB.
+/// How long a board may take no report, as the kernel allows it for USB.
 constexpr Milliseconds busy_at_most{5000};
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why)
@@ -65,7 +65,7 @@ public:
     {
         if (!wait_for(POLLIN, patience))
             return std::nullopt;
-        std::array<std::byte, link::report_bytes + 1> bytes{}; // one more tells what is too long
+        std::array<std::byte, link::report_bytes + 1> bytes{}; // one more detects what is too long
         const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (count == 0 || (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR))
             throw unplugged();
@@ -88,7 +88,7 @@ private:
     int socket_;
 };
 
-/// To a simulated board that listens at `path`. Throws Failure with no_device if none does.
+/// A pipe to a simulated board that listens at `path`. Throws Failure with no_device if none does.
 std::unique_ptr<ReportPipe> open_socket_pipe(const std::string& path)
 {
     const sockaddr_un address = address_of(path);
@@ -105,7 +105,7 @@ std::unique_ptr<ReportPipe> open_socket_pipe(const std::string& path)
     refuse(path, std::strerror(why));
 }
 
-/// Answers to somebody who left before they came.
+/// Skips answers to somebody who left before they came.
 void pass_over_old_reports(ReportPipe& pipe)
 {
     constexpr int max = 64;
@@ -180,7 +180,7 @@ std::optional<Failure> failure_of(const std::function<void()>& act)
     }
 }
 
-/// Whoever is interrupted need not be told so by every device.
+/// An interruption need not be reported by every device.
 bool has_interruption(const Failures& failures)
 {
     for (const auto& failure : failures)

@@ -21,9 +21,9 @@ public:
     RemoteDevice(std::unique_ptr<ReportPipe> pipe, const Session::Options& options, const std::string& name);
 
     Session& session() { return session_; }
-    /// As it was when it was opened.
+    /// Its capabilities when it was opened.
     const link::Capabilities& capabilities() const { return capabilities_; }
-    /// The serial number, or what else it is called by; fit for a terminal.
+    /// The serial number, or another name; fit for a terminal.
     const std::string& name() const { return name_; }
 
 private:

@@ -10,7 +10,7 @@ namespace kfast {
 
 using Milliseconds = std::chrono::milliseconds;
 
-/// Brings reports to a device and back. What it is made of is chosen at run time, hence virtual.
+/// Brings reports to a device and back. Its implementation is chosen at run time, hence virtual.
 class ReportPipe {
 public:
     ReportPipe() = default;
@@ -21,14 +21,14 @@ public:
     /// Waits while the device is busy. Throws Failure with unplugged, or with timed_out if the device takes
     /// nothing for several seconds.
     virtual void send(const link::Report& report) = 0;
-    /// The next report of the device, for which it waits so long; 0 is possible. What has not the length of
-    /// a report is passed over. Throws Failure with unplugged.
+    /// The next report of the device, for which it waits for `patience`; 0 is possible. What has not the
+    /// length of a report is skipped. Throws Failure with unplugged.
     virtual std::optional<link::Report> receive(Milliseconds patience) = 0;
-    /// The time since some moment. It never goes back.
+    /// The time since a fixed time. It never goes back.
     virtual Milliseconds now() const = 0;
 };
 
-/// What pipes of this computer's own tell as now().
+/// The result of now() for pipes of this computer.
 inline Milliseconds steady_milliseconds()
 {
     return std::chrono::duration_cast<Milliseconds>(std::chrono::steady_clock::now().time_since_epoch());

@@ -49,9 +49,9 @@ std::string_view stored_name(std::string_view name)
 
 namespace {
 
-/// So often a scene is sent from its beginning before it is reported as a failure.
+/// How often a scene is sent from its beginning before it is reported as a failure.
 constexpr int max_attempts = 4;
-/// So often a device may say that it has all blocks and then that it has not.
+/// How often a device may report that it has all blocks and then that it has not.
 constexpr int max_rounds = 16;
 
 std::uint32_t crc_of(std::span<const std::byte> bytes)
@@ -102,7 +102,7 @@ private:
         on_progress_(std::min<std::size_t>(heard_ * link::block_bytes, scene_.size()));
     }
 
-    /// Until the device has told that it has all of them.
+    /// Sends until the device has reported that it has all of them.
     void send_blocks()
     {
         Milliseconds patience = patience_;
@@ -141,7 +141,7 @@ private:
             throw Refusal{*failure};
     }
 
-    /// It may be late, or of blocks that were never sent.
+    /// It may be late, or about blocks that were never sent.
     void hear(const link::Acknowledgement& acknowledgement)
     {
         if (acknowledgement.next < heard_ || acknowledgement.next > furthest_)
@@ -156,7 +156,7 @@ private:
             next_ = heard_;
     }
 
-    /// Otherwise some blocks are still to be sent, which cannot be when it is the `last` time.
+    /// Returns false if blocks are still to be sent, which cannot be when it is the `last` time.
     bool is_committed(bool last)
     {
         try {
@@ -178,8 +178,8 @@ private:
     std::uint8_t tag_ = 0;
     std::uint32_t window_ = 0;
     std::uint32_t heard_ = 0;    ///< the device has all blocks before it
-    std::uint32_t next_ = 0;     ///< to be sent
-    std::uint32_t furthest_ = 0; ///< behind the last that was sent
+    std::uint32_t next_ = 0;     ///< the next one to be sent
+    std::uint32_t furthest_ = 0; ///< after the last that was sent
     Milliseconds progressed_{};
 };
 

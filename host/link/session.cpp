@@ -25,7 +25,7 @@ ExitStatus exit_status_of(Status status)
         return ExitStatus::wrong_version;
     case Status::timed_out:
         return ExitStatus::timed_out;
-    default: // what devices to come may say as well
+    default: // devices to come may report others
         return ExitStatus::refused;
     }
 }
@@ -94,7 +94,7 @@ Refusal::Refusal(const link::Failure& failure)
 
 namespace {
 
-/// So often an interruption is looked for.
+/// How often an interruption is checked.
 constexpr Milliseconds unheeded_at_most{100};
 constexpr Milliseconds longest_patience{2000};
 constexpr Milliseconds patience_when_leaving{500};
@@ -123,7 +123,7 @@ std::optional<link::Report> Session::hear(std::uint8_t tag, Milliseconds patienc
     return hear_until(tag, pipe_.now() + patience);
 }
 
-// Reads at least once, so that what has come is heard without patience as well.
+// Reads at least once, so that what has come is read without patience as well.
 std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
 {
     for (;;) {
@@ -139,7 +139,7 @@ std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds e
     }
 }
 
-/// Of what was sent without a tag.
+/// Remembers the failure of what was sent without a tag.
 void Session::remember_failure(const link::Report& report)
 {
     const auto failure = link::message_of<link::Failure>(report);
@@ -198,7 +198,7 @@ void Session::take_leave(const link::Report& report)
                 answer->kind() == (report.kind() | link::from_device))
                 return;
         }
-    } catch (const Failure&) { // there is nobody to be left
+    } catch (const Failure&) { // nobody is there any more
     }
 }
 

@@ -10,13 +10,13 @@
 
 namespace kfast {
 
-/// A device has said that it will not do what it was asked for.
+/// A device has refused a request.
 class Refusal : public Failure {
 public:
     explicit Refusal(const link::Failure& failure);
 
     Status status() const { return status_; }
-    /// What belongs to the status.
+    /// The number that belongs to the status.
     std::uint32_t number() const { return number_; }
 
 private:
@@ -24,23 +24,23 @@ private:
     std::uint32_t number_;
 };
 
-/// How long a device may be silent before it is asked again: what it does without its flash, and with it.
+/// How long a device may be silent before it is asked again: for what it does without its flash, and with it.
 inline constexpr Milliseconds patience_with_ram{50};
 inline constexpr Milliseconds patience_with_flash{600};
 /// A device that is asked twice to play begins twice, and it looks at the whole scene before it answers.
 inline constexpr Milliseconds patience_to_begin{600};
 
-/// Asks a device and hears its answers, over a pipe that may lose, repeat and reorder (docs/link.md). What it
-/// is not answered it asks again, each time after a longer silence, up to its last patience.
+/// Asks a device and reads its answers, over a pipe that may lose, repeat and reorder (docs/link.md). It
+/// repeats a request without an answer, each time after a longer silence, up to its last patience.
 ///
 /// All members throw Failure with unplugged, with timed_out when the last patience is over, and Interrupted
 /// (interruption.hpp).
 class Session {
 public:
-    /// How it asks.
+    /// How it sends requests.
     struct Options {
         Milliseconds last_patience{10'000};
-        /// No device may take requests for those of somebody who asked before, so it is chosen at random.
+        /// No device may take requests for those of a previous session, so it is chosen at random.
         std::uint8_t first_tag = 1;
     };
 
@@ -61,32 +61,32 @@ public:
         };
         return *link::message_of<A>(exchange(link::report_of(message, tag), patience, is_answer));
     }
-    /// What is answered by nothing but that it was done.
+    /// A request whose answer says only that it was carried out.
     template <class M>
     void order(const M& message, Milliseconds patience = patience_with_ram)
     {
         ask<link::Done<M::kind>>(message, patience);
     }
-    /// What is answered only if it fails: see throw_pending_failure().
+    /// A request that is answered only if it fails: see throw_pending_failure().
     template <class M>
     void post(const M& message)
     {
         send(link::report_of(message, 0));
     }
-    /// Throws Refusal if something was refused that was sent. Does not wait.
+    /// Throws Refusal if a request that was sent was refused. Does not wait.
     void throw_pending_failure();
 
-    /// Another one than those of late. Never 0.
+    /// Different from the recent ones. Never 0.
     std::uint8_t new_tag();
     void send(const link::Report& report);
-    /// The next report with that tag, for which it waits so long.
+    /// The next report with that tag, for which it waits for `patience`.
     std::optional<link::Report> hear(std::uint8_t tag, Milliseconds patience);
     Milliseconds now() const { return pipe_.now(); }
     Milliseconds last_patience() const { return options_.last_patience; }
-    /// Another time of silence, after one that was not enough.
+    /// The next time of silence, after one that was not enough.
     static Milliseconds longer(Milliseconds patience);
 
-    /// Says something to a device that is about to be left, and waits for it a little, also after an
+    /// Sends a last report to a device, and waits for it a little, also after an
     /// interruption. Throws nothing.
     void take_leave(const link::Report& report);
 
@@ -102,10 +102,10 @@ private:
     ReportPipe& pipe_;
     Options options_;
     std::uint8_t tag_;
-    std::optional<link::Failure> pending_failure_; ///< the first failure of what was sent
+    std::optional<link::Failure> pending_failure_; ///< the first failure of a request that was sent
 };
 
-/// Why the device does not do what it was asked for by a report of that kind, if this tells it. That a report
+/// Why the device refuses a request by a report of that kind, if this says so. That a report
 /// came damaged is no reason: it is sent again.
 std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind);
 

@@ -44,7 +44,7 @@ struct Chunk {
     std::span<const std::byte> data;
 };
 
-/// Of what libpng has made.
+/// The chunks that libpng has made.
 std::vector<Chunk> chunks_of(std::span<const std::byte> png)
 {
     std::vector<Chunk> chunks;
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    /// The signature and the header, which holds for all pictures.
+    /// The signature and the header, which is valid for all pictures.
     static Bytes first_chunks(std::span<const std::byte> png)
     {
         Bytes head{png.begin(), png.begin() + signature_bytes};
@@ -114,11 +114,11 @@ private:
             append_number(control, static_cast<std::uint32_t>(each));
         append_number(control, delay.numerator);
         append_number(control, delay.denominator);
-        append_number(control, std::uint16_t{0}); // stays, and lies over what was there
+        append_number(control, std::uint16_t{0}); // stays, and is drawn over the previous picture
         append_chunk(body_, "fcTL", control);
     }
 
-    /// The first picture is also the one of viewers that know no animation.
+    /// The first picture is also the one of viewers without animation.
     void add_data(std::span<const std::byte> data)
     {
         if (frames_ == 0)
@@ -136,7 +136,7 @@ private:
     std::uint32_t sequence_ = 0;
 };
 
-/// Holds a picture back until it is known for how long it is seen.
+/// Holds a picture back until it is known for how long it is shown.
 class ApngFilm {
 public:
     ApngFilm(std::uint32_t frame_rate, const FilmLimit& limit) : frame_rate_{frame_rate}, encoder_{limit} {}

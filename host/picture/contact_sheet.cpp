@@ -63,7 +63,7 @@ Size cell_size(Size picture, std::size_t longest_label)
             picture.height + gap + digit_cell.height};
 }
 
-/// As many as lie beside each other.
+/// As many as fit beside each other.
 int room_for(int side, int scale)
 {
     return static_cast<int>((longest_picture_side / scale - gap) / (side + gap));

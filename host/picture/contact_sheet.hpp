@@ -9,13 +9,13 @@
 
 namespace kfast {
 
-/// A picture on a contact sheet, and what stands below it in the characters of digit_picture().
+/// A picture on a contact sheet, and the text below it in the characters of digit_picture().
 struct ContactPrint {
     Picture picture;
     std::string label;
 };
 
-/// How pictures lie on a sheet.
+/// How pictures are arranged on a sheet.
 struct ContactLayout {
     std::size_t count = 1;
     int columns = 1;
@@ -24,8 +24,8 @@ struct ContactLayout {
     Size sheet() const;
 };
 
-/// For so many pictures of one size, and labels of at most so many characters: in about as many rows as
-/// columns, as far as a sheet in pixels of `scale` a side has room; none if it has no room for them.
+/// For `count` pictures of one size, and labels of at most `longest_label` characters: in about as many rows
+/// as columns, as far as a sheet in pixels of `scale` a side has room; none if it has no room for them.
 std::optional<ContactLayout> contact_layout(std::size_t count, Size picture, std::size_t longest_label,
                                             int scale = 1);
 

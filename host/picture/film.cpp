@@ -61,7 +61,7 @@ constexpr std::int64_t shortest_delay = 2;
 constexpr std::int64_t longest_delay = 65535;
 constexpr std::uint32_t highest_rate = 50000;
 
-/// Rounds down, so that the moment has begun.
+/// Rounds down, so that the time has begun.
 std::int64_t centiseconds(const Timeline& timeline, std::int64_t ticks)
 {
     return ticks * 100'000 / (std::int64_t{timeline.frame_rate} * Time::ticks_per_frame);

@@ -11,7 +11,7 @@
 
 namespace kfast {
 
-/// How large an animation that is put together in memory may become; browsers give up long before.
+/// The maximum size of an animation that is assembled in memory; browsers give up long before.
 struct FilmLimit {
     std::size_t mebibytes = 1024;
 
@@ -24,7 +24,7 @@ struct FilmLimit {
     }
 };
 
-/// A picture of a film: what it shows, and from when to when, in ticks of the scene's clock since the film
+/// A picture of a film: what it shows, and from when to when, in ticks of the scene's time since the film
 /// began.
 struct FilmMoment {
     Time time;
@@ -48,7 +48,7 @@ struct FilmDelay {
     bool is_exact = true;
 };
 
-/// The fraction for so many ticks of a scene's clock, at least one, with `frame_rate` frames in 1000 seconds,
+/// The fraction for `ticks` ticks of a scene's time, at least one, with `frame_rate` frames in 1000 seconds,
 /// at least 1. Where no fraction of two 16-bit numbers is exact, the last of the convergents of its continued
 /// fraction that still is one; 65535 s where it is longer.
 FilmDelay film_delay(std::int64_t ticks, std::uint32_t frame_rate);
@@ -59,7 +59,7 @@ struct GifMoment {
     int centiseconds = 0;
 };
 
-/// One period of what is played, frame by frame. The delays follow the scene's clock without drift (30 fps:
+/// One period of what is played, frame by frame. The delays follow the scene's time without drift (30 fps:
 /// 3, 3, 4). Browsers show delays of 1 as 10, so scenes above 50 fps are drawn 50 times a second.
 std::vector<GifMoment> gif_moments(const Timeline& timeline);
 

@@ -41,7 +41,7 @@ public:
     void set_text(std::uint32_t number, std::string_view text) { set(number, text); }
 };
 
-/// What of a picture found room for its outlines, the least first.
+/// How much of a picture found room for its outlines, in increasing order.
 enum class Detail : std::uint8_t {
     parts_missing,
     coarse, ///< all of it, its curves in fewer pieces
@@ -54,10 +54,10 @@ Detail detail_of(const raster::Picture& picture);
 /// defaults.
 struct CoarsePictures {
     std::size_t coarse = 0;
-    std::size_t looked_at = 0; ///< all frames of one turn, or some of them, evenly spread
+    std::size_t looked_at = 0; ///< all frames of one round, or some of them, evenly spread
 };
 
-/// Looks at no more than `max_pictures` of them.
+/// Checks no more than `max_pictures` of them.
 CoarsePictures coarse_pictures(const SceneView& scene, Size panel, std::size_t max_pictures);
 
 /// The detail of the pictures that a source shows.
@@ -66,7 +66,7 @@ public:
     void add(const raster::Picture& picture);
 
     Detail min() const { return min_; }
-    /// Of the last picture, in words for FrameSource::facts(); empty if it is full.
+    /// The detail of the last picture, in words for FrameSource::facts(); empty if it is full.
     std::string text() const;
 
 private:
@@ -77,27 +77,27 @@ private:
 /// When a picture changes while a scene plays.
 enum class Pace {
     smooth,    ///< whenever it is asked
-    by_frames, ///< at the frames of the scene alone
+    by_frames, ///< only at the frames of the scene
 };
 
 /// Draws a scene on one panel. Which one is chosen at run time, hence virtual.
 class FrameSource : public InputReceiver {
 public:
-    /// The picture at a moment of the timeline, the scene's very end included. Valid until the next call.
+    /// The picture at a time of the timeline, including the scene's very end. Valid until the next call.
     virtual const Frame& show(Time moment) = 0;
-    /// Does what goes along with the picture at a moment, sound for instance, when one that was kept is shown
+    /// Does what accompanies the picture at a time, sound for instance, when one that was kept is shown
     /// in place of a new one.
     virtual void accompany(Time /*moment*/) {}
     virtual Pace pace() const { return Pace::smooth; }
-    /// What is to be said about the picture that was shown last, on one line; empty if nothing.
+    /// Facts about the picture that was shown last, on one line; empty if there are none.
     virtual std::string facts() const { return {}; }
-    /// Of all pictures so far.
+    /// The minimum of all pictures so far.
     virtual Detail min_detail() const { return Detail::full; }
-    /// From the next picture on, also what nobody sees on the display, where there is such a thing.
+    /// From the next picture on, also shows what is invisible on the display, where there is such a thing.
     virtual void reveal(bool /*hidden*/) {}
 };
 
-/// What another source shows, in larger pixels and without its pixel format.
+/// The pictures of another source, in larger pixels and without its pixel format.
 class ScaledSource : public FrameSource {
 public:
     /// `factor` is at least 1. show() throws Failure where a picture would become too large.

@@ -26,7 +26,7 @@ class Palette {
 public:
     static constexpr std::size_t max = 256;
 
-    /// False when they would become more than `max`; then the palette is of no use.
+    /// Returns false when they would become more than `max`; then the palette is of no use.
     bool add(const Picture& picture);
 
     std::vector<Colour> colours() const;
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> Palette::indices(const Picture& picture) const
     return result;
 }
 
-/// Exact for at most 256 colours, else the nearest of 256 that giflib chooses.
+/// Exact for at most 256 colours, otherwise the nearest of 256 that giflib chooses.
 IndexedPicture indexed(const Picture& picture)
 {
     Palette palette;
@@ -190,7 +190,7 @@ public:
 private:
     bool close() { return gif_ == nullptr || EGifCloseFile(std::exchange(gif_, nullptr), nullptr) == GIF_OK; }
 
-    // Netscape's extension, which every viewer knows: sub-block 1, repeat 0 (for ever).
+    // Netscape's extension, which every viewer supports: sub-block 1, repeat 0 (for ever).
     void put_loop()
     {
         constexpr std::array<GifByteType, 3> for_ever{1, 0, 0};

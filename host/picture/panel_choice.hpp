@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// What a format of pixels is called on the command line and in descriptions of boards.
+/// The name of a format of pixels on the command line and in descriptions of boards.
 struct FormatName {
     std::string_view name;
     PixelFormat value;
@@ -17,7 +17,7 @@ struct FormatName {
 std::span<const FormatName> format_names();
 std::string_view name_of(PixelFormat format);
 
-/// A display that can be named on the command line: the usual module of a controller.
+/// A display that can be named on the command line: the default module of a controller.
 struct PanelChoice {
     std::string_view name;
     PanelSettings settings;

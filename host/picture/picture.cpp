@@ -24,7 +24,7 @@ constexpr std::uint8_t widened(std::uint32_t value, std::uint32_t max)
     return static_cast<std::uint8_t>(widen_channel(value, max));
 }
 
-/// Of channels of that many bits, red in the highest.
+/// For channels of that many bits, red in the highest.
 constexpr Colour rgb(std::uint32_t pixel, int red, int green, int blue)
 {
     const auto channel = [pixel](int shift, int bits) {
@@ -110,7 +110,7 @@ std::span<const Colour> row(const Picture& picture, int y)
                                              static_cast<std::size_t>(picture.size.width));
 }
 
-/// The columns that differ in one of the rows: from the first to the one behind the last.
+/// The columns that differ in one of the rows: from the first to the one after the last.
 void widen_by_row(Rect& area, std::span<const Colour> before, std::span<const Colour> after)
 {
     const auto [first, ignored] = std::ranges::mismatch(before, after);

@@ -36,7 +36,7 @@ Json frame_json(const Rect& place, double milliseconds)
             {"milliseconds", milliseconds}};
 }
 
-/// One pass from end to end, as of what is played once, unless the way back is asked for.
+/// One pass from end to end, as if it played once, unless the way back is requested.
 std::vector<FilmMoment> sheet_moments(Timeline timeline, const SpriteSheetForm& form)
 {
     if (timeline.stretch.loop == Loop::ping_pong && !form.has_way_back)
@@ -44,7 +44,7 @@ std::vector<FilmMoment> sheet_moments(Timeline timeline, const SpriteSheetForm& 
     return film_moments(timeline);
 }
 
-/// Of the pictures on the sheet.
+/// The loop of the pictures on the sheet.
 Loop list_loop(Loop loop, const SpriteSheetForm& form)
 {
     return loop == Loop::ping_pong && form.has_way_back ? Loop::repeat : loop;

@@ -58,7 +58,7 @@ std::string decimal(double number)
     return text;
 }
 
-/// Writes frames that take turns.
+/// Writes frames that alternate.
 class Turns {
 public:
     Turns(const Timeline& timeline, std::int64_t end)
@@ -68,7 +68,7 @@ public:
     {
     }
 
-    /// The first one is also what is seen where nothing moves.
+    /// The first one is also shown where nothing moves.
     std::string group(const SvgFrame& frame) const
     {
         return std::string{frame.begin == 0 ? "<g>\n" : "<g display=\"none\">\n"} + animation(frame) +

@@ -47,8 +47,8 @@ void SvgPath::add(const Segment& segment)
     flatten(segment, sight_.pieces_of(segment), [this](Point to) { write('L', to); });
 }
 
-/// A fill is closed by way of the hub (core/pose/README.md, "Fills of broken strokes"); that it is closed
-/// at all goes without saying.
+/// A fill is closed through the hub (core/pose/README.md, "Fills of broken strokes"); that it is closed
+/// at all is implied.
 void SvgPath::end(Point hub, bool is_closed)
 {
     if (use_ == Use::fill && hub != start_ && hub != last_)

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// A length as SVG writes it, with at most four digits behind the point: sixteenths are exact, the rest is
+/// A length as SVG writes it, with at most four digits after the point: sixteenths are exact, the rest is
 /// rounded to nearest, halves away from 0.
 std::string svg_number(Fixed length);
 
@@ -32,8 +32,8 @@ inline std::string paint_text(const std::string& property, Colour colour, std::u
     return share == 255 ? paint : paint + ' ' + property + "-opacity=\"" + svg_share(share) + '"';
 }
 
-/// Writes live strokes as the data of an SVG path, in pixels of the panel. PosedStrokes::trace() tells what
-/// begin(), add() and end() are.
+/// Writes live strokes as the data of an SVG path, in pixels of the panel. PosedStrokes::trace() defines
+/// begin(), add() and end().
 class SvgPath {
 public:
     enum class Use { fill, stroke };

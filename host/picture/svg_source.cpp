@@ -16,11 +16,11 @@ namespace kfast {
 
 namespace {
 
-/// All that is to be seen of a scene at the moment to which it was moved, as elements of an SVG, in the order
-/// of painting. What Tracer makes layers and blends of, it makes paths and groups of.
+/// Everything visible in a scene at the time to which it was moved, as elements of an SVG, in the order
+/// of painting. It makes paths and groups where Tracer makes layers and blends.
 class SvgTracer {
 public:
-    /// The bones of the scene have been posed.
+    /// The bones of the scene must have been posed.
     explicit SvgTracer(const SceneOnPanel& scene) : on_panel_{scene} {}
 
     std::string run();
@@ -111,7 +111,7 @@ void SvgTracer::trace_object(SceneWalk& walk)
               [&](const Affine& placement, SvgPath& path) { strokes.trace(placement, path); });
 }
 
-/// Points come as they are seen.
+/// Points are projected already.
 void SvgTracer::trace_wires(SceneWalk& walk, const ObjectStrokes& strokes)
 {
     const ItemState state = walk.state();
@@ -144,7 +144,7 @@ void SvgTracer::trace_live(SceneWalk& walk)
 }
 
 /// trace(placement, path) writes the strokes, of which `first` is the first point. A fill and a stroke that
-/// go the same way become one path.
+/// follow the same path become one path.
 template <class Trace>
 void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
 {

@@ -9,13 +9,13 @@
 
 namespace kfast {
 
-/// Writes any moment of a scene on a panel as elements of an SVG.
+/// Writes a scene on a panel at any time as elements of an SVG.
 class SvgSource : public InputReceiver {
 public:
     /// `scene`'s bytes must outlive the source.
     SvgSource(const SceneView& scene, Size panel, Fit fit);
 
-    /// What is to be seen at a moment of the timeline over the background, in pixels of the panel.
+    /// What is visible at a time of the timeline over the background, in pixels of the panel.
     std::string show(Time moment) { return player_.show(moment); }
     Size size() const { return panel_; }
     Colour background() const { return player_.scene().colour(0); }

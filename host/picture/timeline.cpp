@@ -11,7 +11,7 @@ std::int64_t quotient_up(std::int64_t dividend, std::int64_t divisor)
     return (dividend + divisor - 1) / divisor;
 }
 
-/// What the scene's clock counts while `passes` from one end to the other are played.
+/// The ticks of the scene's time while `passes` from one end to the other are played.
 std::int64_t ticks_of(const Timeline& timeline, int passes)
 {
     const std::int64_t way = std::int64_t{timeline.stretch.length().ticks} * passes;

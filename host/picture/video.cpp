@@ -31,7 +31,7 @@ Failure not_made(const std::filesystem::path& target, const std::string& reason)
     return Failure("cannot make " + target.string() + ": " + reason);
 }
 
-/// What a program gets of this one.
+/// What a program inherits from this one.
 class Inheritance {
 public:
     Inheritance()
@@ -84,7 +84,7 @@ VideoPipe::VideoPipe(std::filesystem::path target, int descriptor, const Command
     if (messages_ == nullptr || ::pipe2(ends.data(), O_CLOEXEC) != 0)
         throw not_made(target_, std::strerror(errno));
     pipe_ = ends[1];
-    // Under this name the program opens the very file, wherever it lies and whatever it is called by now.
+    // Under this name the program opens the very file, whatever its path and name are now.
     const std::vector<std::string> words = command("/dev/fd/" + std::to_string(output_number));
     try {
         start(ends[0], descriptor, words);
@@ -138,7 +138,7 @@ void VideoPipe::finish()
 {
     ::close(std::exchange(pipe_, -1));
     const int status = wait();
-    // It may end well and have told that it could not write all.
+    // It may end well and have reported that it could not write all.
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || has_messages())
         throw not_made(target_, "ffmpeg failed" + messages_text());
 }
@@ -209,7 +209,7 @@ std::string rate_text(std::uint32_t frame_rate)
     return common == 1000 ? whole : whole + '/' + std::to_string(1000 / common);
 }
 
-/// Colours as HD video has them, which is also what the file says: players guess otherwise.
+/// Colours as HD video has them, which is also declared in the file: players guess otherwise.
 std::vector<std::string> encoder(VideoKind kind)
 {
     std::vector<std::string> words{"-vf",

@@ -16,7 +16,7 @@
 
 namespace kfast {
 
-/// A run of the program ffmpeg that reads pictures from a pipe and writes an open file. No shell takes part.
+/// A run of the program ffmpeg that reads pictures from a pipe and writes an open file. No shell is involved.
 /// One at a time: while it lives, SIGPIPE is ignored.
 class VideoPipe {
 public:
@@ -31,9 +31,9 @@ public:
     VideoPipe(const VideoPipe&) = delete;
     VideoPipe& operator=(const VideoPipe&) = delete;
 
-    /// Throws Failure, with the last lines of what the program told, when it has ended.
+    /// Throws Failure, with the last lines that the program printed, when it has ended.
     void write(std::span<const std::byte> bytes);
-    /// Waits for the program. Throws Failure likewise unless it ended well.
+    /// Waits for the program. Throws Failure as write() does unless it ended well.
     void finish();
 
 private:
@@ -69,9 +69,9 @@ enum class VideoKind { mp4, webm };
 /// Whether a picture gets another column and row: H.264 as players know it has sides of even length.
 bool is_padded(Size size);
 
-/// Writes `loops` periods of what is played, at least one, by way of the program ffmpeg: H.264 in MP4, VP9 in
+/// Writes `loops` periods of what is played, at least one, with the program ffmpeg: H.264 in MP4, VP9 in
 /// WebM, every frame of the scene as one of the video. A side of odd length becomes one pixel longer, like
-/// its neighbour. Throws Failure when there is no ffmpeg, or with the last of what it tells when it fails;
+/// its neighbour. Throws Failure when there is no ffmpeg, or with the last of its output when it fails;
 /// then there is no file.
 void write_video(const std::filesystem::path& target, VideoKind kind, FrameSource& source,
                  const Timeline& timeline, int loops, const ProgressCallback& on_progress = ignore_progress);

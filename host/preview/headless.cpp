@@ -157,7 +157,7 @@ void play_headless(FrameSource& source, const PlaybackSetup& playback_setup, std
         playback.advance_to(clock_at(timeline, frame));
         summary.add(show(source, playback));
     }
-    playback.advance_to(clock_at(timeline, timeline.frame_count())); // what lies behind the last frame
+    playback.advance_to(clock_at(timeline, timeline.frame_count())); // what is after the last frame
     summary.write(out);
 }
 

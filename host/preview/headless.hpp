@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// One step of somebody who is not there: a key, or what a mouse would do.
+/// One step of an absent user: a key, or what a mouse would do.
 struct ScriptStep {
     enum class Kind {
         key,
@@ -35,18 +35,18 @@ std::optional<ScriptStep> script_step(std::string_view word);
 /// the pixels of all of them).
 void play_headless(FrameSource& source, const PlaybackSetup& playback_setup, std::ostream& out);
 
-/// What is done with a key instead of pressing it on the viewer.
+/// Called for a key instead of pressing it on the viewer.
 using KeyPress = std::function<void(PreviewKey, Viewer::Seconds)>;
 
 /// Takes the steps of `script` one after another, a frame of time apart and each to its end, and writes the
-/// events passed, "error: " and "notice: " with what viewer.errors() and notice() say, and what is shown
+/// events passed, "error: " and "notice: " with the text of viewer.errors() and notice(), and what is shown
 /// after each, then the summary of these pictures. Stops at a quit. The clock of `viewer` began at 0. Throws
-/// Failure for an object that there is not.
+/// Failure for an object that does not exist.
 void play_script(Viewer& viewer, std::span<const ScriptStep> script, std::ostream& out,
                  const KeyPress& press = {});
 
 /// A window of a preview as it looks after a script (play_script, which writes to `out`), drawn without a
-/// display. What is being found out, as the fit report, is waited for.
+/// display. It waits for what is being computed, such as the fit report.
 Picture snapshot(Viewer& viewer, std::span<const ScriptStep> script, Size window, std::ostream& out);
 
 }

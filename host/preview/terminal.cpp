@@ -23,7 +23,7 @@ using Seconds = PreviewPlayback::Seconds;
 /// Draws one picture above the other.
 class TerminalScreen {
 public:
-    /// Below what others have written: the picture that was drawn last stays where it is.
+    /// Draws the next one below what others have written: the last picture stays where it is.
     void begin_anew() { lines_ = 0; }
 
     bool fits() const { return size_ == terminal_size(); }

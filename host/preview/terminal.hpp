@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// Plays in the terminal that standard output is, until a key quits or it has played as often as it was to. A
+/// Plays in the terminal that standard output is, until a key quits or it has played as often as requested. A
 /// signal that ends the program leaves the terminal as it was. Throws Failure when that cannot be written.
 void play_in_terminal(Viewer& viewer, Keyboard& keyboard);
 

@@ -64,7 +64,7 @@ private:
         window_.set_title(title_);
     }
 
-    /// Sleeps until there is something to do. True when the window is to be drawn anew.
+    /// Sleeps until there is something to do. Returns true when the window must be drawn anew.
     bool take_events()
     {
         const auto events = window_.take_events(patience(viewer_));

@@ -5,10 +5,10 @@
 
 namespace kfast {
 
-/// Room for the picture of usual panels twice as large, with all that is beside it.
+/// Room for the picture of common panels twice as large, with everything beside it.
 Size first_window_size(Size panel);
 
-/// Plays in a window until the user closes it or it has played as often as it was to.
+/// Plays in a window until the user closes it or it has played as often as requested.
 void play_in_window(PictureWindow& window, Viewer& viewer);
 
 }

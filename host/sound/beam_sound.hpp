@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// A beam that a sound card leads along what was shown last, for as long as this lives. Begins in the middle
+/// A beam that a sound card drives along what was shown last, for as long as this lives. Begins in the middle
 /// of the field.
 class LedBeam {
 public:
@@ -31,7 +31,7 @@ private:
     std::unique_ptr<SoundCard> card_; ///< opened last and closed first: it asks the player
 };
 
-/// Draws a scene as another source does, and leads a beam along the same pictures by a sound card.
+/// Draws a scene as another source does, and drives a beam along the same pictures by a sound card.
 class BeamSound final : public FrameSource {
 public:
     /// Both sources are of one scene; `led` has the profile of `beam`.

@@ -9,7 +9,7 @@ namespace kfast {
 
 namespace {
 
-/// The place at `share` (0 … 1) of the straight way.
+/// The point at `share` (0 … 1) of the straight line.
 FieldPoint between(FieldPoint from, FieldPoint to, double share)
 {
     const auto part = [share](std::int16_t begin, std::int16_t end) {

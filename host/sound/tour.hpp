@@ -11,18 +11,18 @@
 
 namespace kfast {
 
-/// Where a beam is, sample by sample, once along a picture. Whether it shines, a sound card cannot tell.
+/// Where a beam is, sample by sample, once along a picture. A sound card cannot control whether it shines.
 using Tour = std::vector<FieldPoint>;
 
 Tour tour_of(std::span<const BeamPoint> points);
 
-/// In units of the field.
+/// The distance in units of the field.
 double distance(FieldPoint from, FieldPoint to);
 
-/// What has to lie between two points so that no step is longer than `step`; 0: nothing, the beam jumps.
+/// The points between two points so that no step is longer than `step`; 0: none, the beam jumps.
 Tour travel(FieldPoint from, FieldPoint to, std::uint32_t step);
 
-/// `count` points, at least as many as `tour` has, evenly spread along the way from its beginning to `next`,
+/// `count` points, at least as many as `tour` has, evenly spread along the path from its beginning to `next`,
 /// where the beam is afterwards. No step is longer than the longest one before.
 Tour stretched(std::span<const FieldPoint> tour, FieldPoint next, std::size_t count);
 
@@ -33,7 +33,7 @@ public:
     /// Between tours the beam travels in such steps; 0: it jumps. Begins in the middle of the field.
     explicit TourPlayer(std::uint32_t travel_step) : step_{travel_step} {}
 
-    /// From the end of the tour that is being played. `tour` has at least one point.
+    /// Shows it from the end of the tour that is being played. `tour` has at least one point.
     void show(Tour tour);
     /// Fills all of `points` with the next ones.
     void take(std::span<FieldPoint> points);

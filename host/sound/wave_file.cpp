@@ -17,10 +17,10 @@ namespace kfast {
 
 namespace {
 
-constexpr std::size_t slow_tours = 8; ///< share what is left over at the end
+constexpr std::size_t slow_tours = 8; ///< they divide what is left over at the end
 constexpr double milli = 1000;
 
-/// Of the scene's clock.
+/// Ticks of the scene's time.
 double ticks_per_sample(const Timeline& timeline, std::uint32_t rate)
 {
     return timeline.frame_rate / milli * Time::ticks_per_frame / rate;
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// The frame of the scene that is due at the end of what there is.
+    /// The frame of the scene that is due at the end of the samples so far.
     std::int64_t due_frame() const
     {
         const auto samples = static_cast<std::int64_t>(loop_.points.size());
@@ -60,7 +60,7 @@ private:
         tour_ = tour_of(source_.show(timeline_.shown_at(frame * Time::ticks_per_frame)));
     }
 
-    /// False if it has no room, with the way back to the beginning behind it.
+    /// Returns false if it has no room, with the return to the beginning after it.
     bool add_tour()
     {
         show(due_frame());
@@ -102,7 +102,7 @@ private:
     std::uint32_t step_;
     SoundLoop loop_;
     std::vector<std::size_t> pieces_; ///< where the tours begin
-    std::int64_t frame_ = -1;         ///< that `tour_` shows
+    std::int64_t frame_ = -1;         ///< the one that `tour_` shows
     Tour tour_;
 };
 
@@ -149,7 +149,7 @@ namespace {
 constexpr int channels = 2;
 constexpr std::size_t block = 4096; ///< samples that are written at once
 
-/// A file in memory, as libsndfile asks for it: it goes back to the header at the end.
+/// A file in memory, as libsndfile requires it: it goes back to the header at the end.
 struct MemoryFile {
     std::vector<std::byte> bytes;
     std::size_t at = 0;
@@ -192,7 +192,7 @@ struct Close {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-/// libsndfile cuts off what a file has no bits for.
+/// libsndfile cuts off the bits that a file has no room for.
 int rounded(std::int32_t level, int bits)
 {
     const std::int64_t unit = std::int64_t{1} << (32 - bits);

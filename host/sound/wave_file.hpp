@@ -15,19 +15,19 @@ namespace kfast {
 
 /// How a scene became a wave. Steps are in units of the field.
 struct SoundLoop {
-    Tour points; ///< behind the last one comes the first one
+    Tour points; ///< after the last one comes the first one
     std::size_t tours = 0;
-    std::size_t sped_up_tours = 0;    ///< whose pictures are drawn faster than the profile says
+    std::size_t sped_up_tours = 0;    ///< whose pictures are drawn faster than in the profile
     std::size_t incomplete_tours = 0; ///< whose pictures lack lines
 };
 
-/// What one play takes in samples, rounded to the nearest: with ping-pong there and back, and of what plays
+/// The samples of one play, rounded to the nearest: with ping-pong there and back, and for what plays
 /// once the end is held for a frame.
 std::uint64_t sound_length(const Timeline& timeline, std::uint32_t rate);
 
-/// A wave of exactly so many samples, `source`'s profile having so many a second as it has points. Each
+/// A wave of exactly `samples` samples, `source`'s profile having so many a second as it has points. Each
 /// picture is toured until the next frame of the scene is due, and to the end of that tour, so that frames
-/// never come more than a tour late. Between pictures the beam travels as the profile says. The last tours
+/// never come more than a tour late. Between pictures the beam travels as in the profile. The last tours
 /// are a little slower, so that their end meets the beginning.
 ///
 /// Throws std::length_error if not one tour has room, which a budget of `samples` prevents.

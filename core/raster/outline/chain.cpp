@@ -9,7 +9,7 @@ namespace kfast::raster {
 
 namespace {
 
-/// How far a corner may lie from the line that replaces it, in the grid: horizontally, which is 1/26 of a
+/// How far a corner may be from the line that replaces it, in the grid: horizontally, which is 1/26 of a
 /// pixel's area at most ...
 constexpr std::int32_t tolerance = 5;
 /// ... and vertically, 1/21 of it.
@@ -26,7 +26,7 @@ constexpr bool is_out_of_reach(std::int32_t x)
     return static_cast<std::uint32_t>(x) >> ChainBuilder::reach_bits != 0;
 }
 
-/// False if one of them is no_slope: it lies further from any slope, also around the end of the range.
+/// False if one of them is no_slope: it is further from any slope, also around the end of the range.
 constexpr bool is_slight_turn(std::int32_t before, std::int32_t after)
 {
     return static_cast<std::uint32_t>(after) - static_cast<std::uint32_t>(before) + slight_turn <=
@@ -69,7 +69,7 @@ bool ChainBuilder::build(const Corner* at, const Corner* last, std::ptrdiff_t st
         std::int32_t beyond = next_y - y - to_border;
         if (beyond < 0) {
             if (next_y == y && is_on_border(y) && out != crossings_ + 1) {
-                keep_for_good(x, y); // a level edge between two rows: the one below begins behind it
+                keep_for_good(x, y); // a level edge between two rows: the one below begins after it
                 out[-1] = static_cast<Crossing>(next_x);
                 above = bend(next_x, y);
             } else if (at != last || at->y == first_y) {
@@ -117,7 +117,7 @@ void ChainBuilder::begin(Corner first, Corner last, std::byte* end)
     bends_ = last_bend_ = row_bends_ = reinterpret_cast<Bend*>(crossings_);
 }
 
-/// Drops the corners of a row if all of them lie near the line from `from` to `to`.
+/// Drops the corners of a row if all of them are near the line from `from` to `to`.
 void ChainBuilder::settle_row(Bend from, Bend to)
 {
     const std::int32_t width = to.x - from.x;

@@ -14,7 +14,7 @@ using Crossing = std::uint16_t;
 /// A corner of a chain that is kept besides its crossings: x like these, y counted from the border of a row
 /// at or above the chain's top.
 struct Bend {
-    static constexpr std::uint16_t no_y = 0xFFFF; ///< stands behind the last one
+    static constexpr std::uint16_t no_y = 0xFFFF; ///< marks the end, after the last one
 
     std::uint16_t x = 0;
     std::uint16_t y = 0;
@@ -28,8 +28,8 @@ inline constexpr int default_band_bits = 2;
 /// Where a chain crosses the borders between the rows of a band.
 using BandCrossings = std::array<Crossing, (1 << max_band_bits) + 1>;
 
-/// A set of rows of a band, the first in the lowest bit. Of bands that are higher than four rows all rows are
-/// always in it: panels that have them take all rows together.
+/// A set of rows of a band, the first in the lowest bit. For bands that are higher than four rows all rows
+/// are always in it: panels that have them take all rows together.
 using RowMask = std::uint8_t;
 
 inline constexpr RowMask all_rows = 0x0F;
@@ -44,17 +44,17 @@ constexpr RowMask row_mask(int begin, int end)
 struct StraightLine {
     std::int32_t slope = 0;     ///< how far it goes to the right over each row, in 1/1024 of the grid
     Crossing top = 0;           ///< x at its upper end
-    BandCrossings in_band{};    ///< of the band that is looked at
-    Bend bottom{0, Bend::no_y}; ///< x at its lower end, which stands behind its bends: it has none
+    BandCrossings in_band{};    ///< of the current band
+    Bend bottom{0, Bend::no_y}; ///< x at its lower end, and the end mark of its bends: it has none
 };
 
 static_assert(sizeof(StraightLine) == 28);
 
-/// A stretch of an outline along which y does not turn back, cut off at the panel's upper and lower border,
-/// and what it is in the band of rows that is looked at.
+/// A part of an outline along which y does not change direction, cut off at the panel's upper and lower
+/// border, and what it is in the current band of rows.
 ///
 /// Of its corners these are kept: x at its top, at each border of a row that it crosses, and at its bottom
-/// (crossings), and those that lie too far from the line between two of these (bends). So in a row without
+/// (crossings), and those that are too far from the line between two of these (bends). So in a row without
 /// bends it is one straight edge.
 struct Chain {
     static constexpr std::uint32_t none = 0;             ///< no chain has this place
@@ -67,22 +67,22 @@ struct Chain {
     std::uint32_t next = none;   ///< place of the next chain of a list
     std::int16_t left = 0;       ///< column
     std::uint16_t layer = 0;
-    bool runs_down : 1 = true;    ///< as the outline was drawn
+    bool runs_down : 1 = true;    ///< whether the outline was drawn downwards
     bool is_straight : 1 = false; ///< it is a StraightLine, which has the crossings of the band
     bool is_border : 1 = false;   ///< its layer is inside on one side of it, and outside on the other
     RowMask rows = all_rows;      ///< that it reaches
     std::uint8_t slot = 0;        ///< of the layer in the band
     bool is_whole = false;        ///< it crosses the band from border to border without bends
     std::int16_t begin = 0;       ///< first column that it touches in the band
-    std::int16_t end = 0;         ///< column behind the last one
-    std::int16_t height = 0;      ///< of its part of the band in the grid; negative if it does not run down
+    std::int16_t end = 0;         ///< the column after the last one
+    std::int16_t height = 0;      ///< of its part of the band in the grid; negative if it runs up
     std::uint16_t words = 0;      ///< of memory, with its crossings and bends
     std::int32_t winding = 0; ///< around its layer's outlines to the left of it, times the height of the band
 };
 
 static_assert(sizeof(Chain) == 40 && sizeof(Bend) == 4);
 
-/// Where a straight chain crosses the borders of so many rows of the panel, from `row` on; beyond its ends, x
+/// Where a straight chain crosses the borders of `rows` rows of the panel, from `row` on; beyond its ends, x
 /// of the end. It goes on to the right from row to row, or to the left, also where its slope is rounded.
 inline void find_crossings(const Chain& chain, const StraightLine& line, int row, int rows, Crossing* out)
 {
@@ -106,7 +106,7 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
     }
 }
 
-/// Turns corners that go down all the way into what is kept of a chain.
+/// Converts corners that go down all the way into what is kept of a chain.
 ///
 ///     row border  ----x------------   crossing
 ///                      \               corner within 5/64 px of the line between both crossings: dropped
@@ -119,28 +119,28 @@ inline void find_crossings(const Chain& chain, const StraightLine& line, int row
 /// So a row is drawn from two numbers, however many corners it has, unless it has bends.
 class ChainBuilder {
 public:
-    /// Corners may be so far to the right of `left`, 512 px, and so far below the row of the first one.
+    /// The maximum distance of corners to the right of `left`, 512 px, and below the row of the first one.
     static constexpr int reach_bits = 15;
     static constexpr std::int32_t max_height = (0xFFFF >> grid_bits) * grid;
 
-    /// The least room that a chain of `corners` corners from `top` to `bottom` needs, in bytes below the end
+    /// The minimum room for a chain of `corners` corners from `top` to `bottom`, in bytes below the end
     /// that is given to build(): all of its corners may have to be kept.
     static std::size_t room_for(std::size_t corners, std::int32_t top, std::int32_t bottom);
 
-    /// Of the crossings alone, in whole words.
+    /// The size of the crossings alone, in whole words.
     static constexpr std::uint32_t crossing_bytes(std::int32_t top, std::int32_t bottom)
     {
         return (static_cast<std::uint32_t>(ceil_pixel(bottom) - floor_pixel(top)) + 2) / 2 * 4;
     }
 
     /// Writes the crossings of `first`, `step` corners on, and so forth to `last`, and their bends, below
-    /// `end`, which is aligned to 4. y grows from corner to corner, or stays as it is. False if a corner is
-    /// out of reach.
+    /// `end`, which is aligned to 4. y increases from corner to corner, or stays. Returns false if a corner
+    /// is out of reach.
     bool build(const Corner* first, const Corner* last, std::ptrdiff_t step, std::int32_t left,
                std::byte* end);
 
     const Crossing* crossings() const { return crossings_; }
-    /// Behind the first one; the others follow downwards.
+    /// One past the first one; the others follow downwards.
     const Bend* bends() const { return bends_; }
     /// What was written begins here, aligned to 4.
     std::byte* memory_begin() const { return reinterpret_cast<std::byte*>(last_bend_); }
@@ -160,7 +160,7 @@ private:
     void settle_row(Bend from, Bend to);
 
     Crossing* crossings_ = nullptr;
-    Bend* bends_ = nullptr; ///< behind the first one, which is written below it
+    Bend* bends_ = nullptr; ///< one past the first one, which is written below it
     Bend* last_bend_ = nullptr;
     Bend* row_bends_ = nullptr; ///< the last one of the rows above
 };

@@ -23,12 +23,12 @@ constexpr bool is_short(Corner corner)
            2 * half;
 }
 
-/// A turn, maybe in a mirror, a growth by at most 17/16, and a shift. Corners are rounded to nearest, halves
-/// to the right and down.
+/// A rotation, maybe mirrored, a scaling by at most 17/16, and a shift. Corners are rounded to nearest,
+/// halves to the right and down.
 class CornerMap {
 public:
     static constexpr int fraction_bits = 14;
-    /// Of a shift, in the grid: with it, what is in reach of Corner stays so.
+    /// The limit of a shift, in the grid: with it, what is in reach of Corner stays so.
     static constexpr std::int32_t max_shift = 1 << 19;
 
     CornerMap() = default;
@@ -68,7 +68,7 @@ public:
 private:
     static constexpr int unit_bits = 16 - grid_bits;
 
-    /// Of a shift in the grid: what is left of a unit, in Q14, and half a one.
+    /// The fraction of a shift in the grid, in Q14, and half a unit for rounding.
     static constexpr std::int32_t rest_of(std::int32_t shift)
     {
         return ((shift & ((1 << unit_bits) - 1)) << (fraction_bits - unit_bits)) + (1 << (fraction_bits - 1));
@@ -105,11 +105,11 @@ struct ContourName {
 /// A contour before it is placed.
 struct KeptContour {
     std::span<const ShortCorner> corners;
-    std::size_t room; ///< corners that it had before it was simplified: so many must find room
+    std::size_t room; ///< corners that it had before it was simplified: that many must find room
 };
 
 /// Contours of drawings that move as a whole, before they are placed, in a cache: sets of contours, each a
-/// word of counts and its corners. What lies further away than ShortCorner tells is not kept.
+/// word of counts and its corners. What is out of the range of ShortCorner is not kept.
 class ContourCache {
 public:
     /// `cache` must outlive this.
@@ -131,15 +131,15 @@ public:
         return true;
     }
 
-    /// Keeps those that come until end(). None of this name is kept.
+    /// Keeps the contours that are added until end(). None of this name is kept yet.
     void begin(const ContourName& name)
     {
         is_one_far_ = false;
         cache_->begin(words_of(name), PictureCache::Incoming::beside_others);
     }
-    /// A contour that is simplified; `room` as in KeptContour.
+    /// Adds a contour that is simplified; `room` as in KeptContour.
     [[gnu::cold, gnu::noinline]] void add(std::span<const Corner> contour, std::size_t room);
-    /// They are not kept if some are missing.
+    /// Ends the set. It is not kept if some contours are missing.
     void end(bool are_complete) { cache_->end(are_complete && !is_one_far_); }
 
 private:
@@ -152,7 +152,7 @@ private:
     }
 
     PictureCache* cache_;
-    bool is_one_far_ = false; ///< a contour that was added has not found place in its words
+    bool is_one_far_ = false; ///< whether a contour that was added did not fit into its words
 };
 
 }

@@ -9,19 +9,19 @@
 
 namespace kfast::raster {
 
-/// Outlines lie on a grid of 1/64 px. Their coordinates are integers in this unit: x to the right of the
+/// Outlines are on a grid of 1/64 px. Their coordinates are integers in this unit: x to the right of the
 /// panel's left border, y below its upper one.
 inline constexpr int grid_bits = 6;
 inline constexpr std::int32_t grid = 1 << grid_bits;
 
 /// The first column, or row, at or before a coordinate.
 constexpr int floor_pixel(std::int32_t coordinate) { return coordinate >> grid_bits; }
-/// The first border between columns, or rows, at or behind a coordinate.
+/// The first border between columns, or rows, at or after a coordinate.
 constexpr int ceil_pixel(std::int32_t coordinate) { return (coordinate + grid - 1) >> grid_bits; }
-/// Whether it lies on such a border.
+/// Whether a coordinate is on such a border.
 constexpr bool is_on_border(std::int32_t coordinate) { return (coordinate & (grid - 1)) == 0; }
 
-/// What lies at part / whole of the way between two coordinates, rounded to nearest; 0 <= part <= whole, and
+/// The value at part / whole between two coordinates, rounded to nearest; 0 <= part <= whole, and
 /// both are less than 2^23.
 constexpr std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t part, std::int32_t whole)
 {
@@ -68,7 +68,7 @@ inline std::int32_t slope_of(std::int32_t width, std::int32_t rise)
         ++shift;
     const std::int32_t inverse = reciprocals[static_cast<std::size_t>(rise >> shift)];
     const std::int32_t slope = (width * inverse) >> shift;
-    // What is left of the width, over the same rise: a step of Newton's division.
+    // The remainder of the width, over the same rise: a step of Newton's division.
     const auto rest =
         static_cast<std::int32_t>((static_cast<std::uint32_t>(width) << 16) -
                                   static_cast<std::uint32_t>(slope) * static_cast<std::uint32_t>(rise));
@@ -82,7 +82,7 @@ constexpr std::int32_t first_crossing(std::int32_t x, std::int32_t slope, std::i
     return (x << 10) + 512 + (slope >> grid_bits) * height;
 }
 
-/// Tells whether two layers have the same outlines: 64 bits of the corners of all contours in their order, or
+/// Shows whether two layers have the same outlines: 64 bits of the corners of all contours in their order, or
 /// of what they are made of. Others that agree in them would be taken for the same; one of 1.8e19 pairs does.
 class Fingerprint {
 public:

@@ -22,7 +22,7 @@ void ObjectOutline::add(const Segment& segment)
     const int pieces = sight_.pieces_of(segment);
     if (stroke_ || !sight_.is_flat())
         return flatten(segment, pieces, [this](Point to) { line_to(to); });
-    FillOutline fill = fill_; // most of what is drawn, in registers
+    FillOutline fill = fill_; // a copy, for registers: most of what is drawn
     flatten(segment, pieces, [&fill](Point to) { fill.line_to(to); });
     fill_ = fill;
 }

@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// Turns the strokes of a filled drawing into contours. A stroke that is not closed is filled as if it were.
+/// Makes contours of the strokes of a filled drawing. A stroke that is not closed is filled as if it was.
 class FillOutline {
 public:
     explicit FillOutline(raster::OutlineStore& outlines) : outlines_{&outlines} {}
@@ -45,7 +45,7 @@ private:
 /// Feeds the live strokes of one object to its fill, or to its stroke.
 class ObjectOutline {
 public:
-    /// Of the fill, until stroke_with() is called.
+    /// The outline of the fill, until stroke_with() is called.
     ObjectOutline(raster::OutlineStore& outlines, const ViewProjection& sight)
         : outlines_{outlines}, sight_{sight}, fill_{outlines}
     {

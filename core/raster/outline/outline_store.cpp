@@ -24,12 +24,12 @@ constexpr std::int32_t long_edge = 40 * grid;
 /// Corners of chains on large panels are no further away: their columns have 16 bits.
 constexpr std::int32_t farthest = 1 << 20;
 
-/// How far the corners of a run lie apart: a chain has no room for more.
+/// How far apart the corners of a run are: a chain has no room for more.
 class Reach {
 public:
     explicit Reach(Corner first) : left_{first.x}, right_{first.x}, y_{first.y} {}
 
-    /// False if a corner lies too far away.
+    /// Returns false if a corner is too far away.
     bool take(Corner corner)
     {
         if (std::abs(corner.x) >= farthest)
@@ -45,7 +45,7 @@ private:
     std::int32_t y_;
 };
 
-/// No edge is longer than a chain can tell.
+/// Whether no edge is longer than a chain can represent.
 [[gnu::cold, gnu::noinline]] bool has_short_edges(const Corner* first, const Corner* end)
 {
     for (const Corner* corner = first; corner != end; ++corner)
@@ -54,7 +54,7 @@ private:
     return true;
 }
 
-/// Where an edge crosses a height that lies between its ends.
+/// Where an edge crosses a height that is between its ends.
 Corner corner_on(Corner upper, Corner lower, std::int32_t y)
 {
     return {interpolate(upper.x, lower.x, y - upper.y, lower.y - upper.y), y};
@@ -76,7 +76,7 @@ void OutlineStore::clear()
     begin_picture();
 }
 
-/// With all layers that there are.
+/// Begins with all layers that there are.
 void OutlineStore::begin_picture()
 {
     layer_ = nullptr;
@@ -149,7 +149,7 @@ void OutlineStore::close()
     add_contour();
 }
 
-/// That is complete, from first_corner() to corners_end_.
+/// Adds the complete contour, from first_corner() to corners_end_.
 void OutlineStore::add_contour()
 {
     std::int32_t columns = 0;
@@ -173,7 +173,7 @@ void OutlineStore::add_contour()
     begin_contour();
 }
 
-/// Where the outline turns from down to up or from up to down for the first time; null if it encloses
+/// Where the outline changes from down to up or from up to down for the first time; null if it encloses
 /// nothing.
 Corner* OutlineStore::first_turn() const
 {
@@ -186,11 +186,11 @@ Corner* OutlineStore::first_turn() const
             return corner;
         sense = rise;
     }
-    return sense == 0 ? nullptr : corners_end_ - 1; // it turns where it closes, at the latest
+    return sense == 0 ? nullptr : corners_end_ - 1; // it changes direction where it closes, at the latest
 }
 
-/// Begins where the contour turns, so that no chain is cut in two. False, and nothing added, if corners are
-/// out of reach: they are in reach if `is_near`.
+/// Begins where the contour changes direction, so that no chain is cut in two. Returns false, adding nothing,
+/// if corners are out of reach: they are in reach if `is_near`.
 bool OutlineStore::add_runs(bool is_near)
 {
     Corner* const end = corners_end_;
@@ -206,7 +206,7 @@ bool OutlineStore::add_runs(bool is_near)
     return false;
 }
 
-/// Divides the corners from `first`, where the contour turns, to `last`, where it does again, into runs that
+/// Divides the corners from `first` to `last`, at both of which the contour changes direction, into runs that
 /// go all the way down or up, and long edges: from the end, so that corners of a run that was added need no
 /// room any more, if that is wanted. Level edges between two runs belong to the one before them.
 bool OutlineStore::find_runs(Corner* first, Corner* last, bool frees_corners)
@@ -222,7 +222,7 @@ bool OutlineStore::find_runs(Corner* first, Corner* last, bool frees_corners)
     return true;
 }
 
-/// Of the run that ends at `end`: a long edge, or level edges in front of one, or edges that go one way.
+/// Where the run that ends at `end` begins: a long edge, level edges before one, or edges in one direction.
 Corner* OutlineStore::begin_of_run(Corner* first, Corner* end) const
 {
     Reach reached{*end};
@@ -245,7 +245,7 @@ Corner* OutlineStore::begin_of_run(Corner* first, Corner* end) const
     return begin;
 }
 
-/// Level edges at an end that lies on the border of a band, however high it is, tell nothing of the band.
+/// Level edges at an end that is on the border of a band, however high it is, do not matter for the band.
 /// Others belong to what is not alike in all rows, also if a long outline was divided so that nothing else is
 /// left in a run.
 bool OutlineStore::add_run(Corner* first, Corner* last, bool runs_down)
@@ -260,7 +260,7 @@ bool OutlineStore::add_run(Corner* first, Corner* last, bool runs_down)
     return runs_down ? add_cut(first, last, 1) : add_cut(last, first, -1);
 }
 
-/// Cuts off what lies above or below the panel. Corners are put back: the next run has them, too.
+/// Cuts off what is above or below the panel. Corners are restored: the next run has them, too.
 bool OutlineStore::add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step)
 {
     const std::int32_t height = panel_.height * grid;
@@ -282,7 +282,7 @@ bool OutlineStore::add_cut(Corner* top, Corner* bottom, std::ptrdiff_t step)
     return is_added;
 }
 
-/// False if corners are out of reach.
+/// Returns false if corners are out of reach.
 bool OutlineStore::add_chain(const Corner* top, const Corner* bottom, std::ptrdiff_t step)
 {
     if (is_large_ && std::abs(top->x) >= farthest)
@@ -322,7 +322,7 @@ bool OutlineStore::add_straight(Corner top, Corner bottom, std::int32_t left, bo
     return true;
 }
 
-/// In front of its bends, or of its line.
+/// Puts it before its bends, or before its line.
 Chain& OutlineStore::put_chain(std::byte* end, Corner top, Corner bottom, std::int32_t left, bool runs_down)
 {
     const std::byte* const above = chains_;
@@ -339,7 +339,7 @@ Chain& OutlineStore::put_chain(std::byte* end, Corner top, Corner bottom, std::i
     return *chain;
 }
 
-/// Of the layer that is coming in.
+/// Sets the end of the chains of the layer that is being added.
 void OutlineStore::end_chains_at(std::byte* chains)
 {
     chains_ = chains;
@@ -375,7 +375,7 @@ void OutlineStore::rewind(Chain& chain)
     chain.next = std::exchange(heads_[static_cast<std::size_t>(band)], place);
 }
 
-/// Those that were added since the mark.
+/// Removes the chains that were added since the mark.
 void OutlineStore::remove_chains(std::byte* mark)
 {
     end_chains_at(mark);

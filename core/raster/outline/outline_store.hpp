@@ -29,18 +29,18 @@ public:
 
     /// Forgets all outlines.
     void clear();
-    /// Keeps those that do not depend on what has moved since the last picture. None of them is in the coming
-    /// one unless it is reused.
+    /// Keeps those layers that do not depend on what has moved since the last picture. None of them is in the
+    /// next one unless it is reused.
     void keep(const Dependence& moved);
-    /// Takes a layer into the picture, painted by a step. Null if it is not kept, or not found: layers are
-    /// looked for in the order in which they were traced. Whether the picture is full does not depend on what
-    /// was kept.
+    /// Takes a layer into the picture, painted by a step. Returns null if it is not kept, or not found:
+    /// layers are looked for in the order in which they were traced. Whether the picture is full does not
+    /// depend on what was kept.
     const LayerOutlines* reuse(LayerName name, std::uint16_t step);
-    /// Whether it would be found.
+    /// Whether reuse() would find it.
     bool keeps(LayerName name) const { return kept_layer(name) != nullptr; }
-    /// All contours belong to a layer: they come between these two.
+    /// All contours belong to a layer: they are added between begin_layer() and end_layer().
     void begin_layer(LayerName name, std::uint16_t step);
-    /// `dependence`: what moves them. Null if something found no room.
+    /// `dependence`: what moves them. Returns null if something found no room.
     const LayerOutlines* end_layer(const Dependence& dependence);
 
     /// A contour comes from both of its ends at once: its corners in order are those that were added, then
@@ -58,22 +58,22 @@ public:
     /// Joins the last corner to the first.
     void close();
     /// From now on, contours are placed by `map` when they are closed, and before that simplified and kept in
-    /// `cache`, if there is one. Their name, if they have one, stands for their corners in the fingerprint.
+    /// `cache`, if there is one. Their name, if they have one, represents their corners in the fingerprint.
     void place_contours(const CornerMap& map, const ContourName* name, ContourCache* cache);
     /// Adds a contour that was kept.
     void add(const KeptContour& contour);
-    /// Contours stay where they come in again.
+    /// From now on, contours are added where they are.
     void end_placed();
 
     /// Puts all chains back into the state in which a picture is drawn from its first band on, of 2^band_bits
     /// rows: to draw it changes them.
     void rewind(int band_bits);
 
-    /// Something found no room: the picture is not complete.
+    /// Whether something found no room: the picture is not complete.
     bool is_full() const { return is_full_; }
-    /// Layers of the last picture take room: if they were traced anew, the picture might fit.
+    /// Whether layers of the last picture take room: if they were traced anew, the picture might fit.
     bool keeps_layers() const { return kept_end_ != bytes_ + size_; }
-    /// The most that would have been needed at a time if nothing had been kept.
+    /// The maximum that would have been needed at a time if nothing had been kept.
     std::size_t needed_bytes() const { return needed_; }
 
     /// The first chain that begins in a band; Chain::none if there is none.
@@ -84,12 +84,12 @@ public:
         return reinterpret_cast<const Crossing*>(bytes_ + place);
     }
     const Bend* bend(std::uint32_t place) const { return reinterpret_cast<const Bend*>(bytes_ + place); }
-    /// Of a chain that is straight.
+    /// The line of a chain that is straight.
     StraightLine& line(const Chain& chain) const
     {
         return *reinterpret_cast<StraightLine*>(bytes_ + chain.crossings - offsetof(StraightLine, in_band));
     }
-    /// Calls visit(chain) for each of the picture.
+    /// Calls visit(chain) for each chain of the picture.
     template <class Visit>
     void each_chain(Visit visit) const
     {
@@ -98,13 +98,13 @@ public:
                 each_chain_of(layer, visit);
         });
     }
-    /// What a chain takes.
+    /// The size of a chain.
     static std::size_t chain_bytes(const Chain& chain) { return 4U * chain.words; }
 
     int band_bits() const { return band_bits_; }
 
 private:
-    /// How many layers may have gone in one place before others are taken to be new.
+    /// How many layers may have vanished at one position before others are taken to be new.
     static constexpr int look_ahead = 8;
 
     /// Calls visit(layer) for each of them, also those that are kept, but not in the picture.
@@ -128,7 +128,7 @@ private:
         }
     }
     static LayerOutlines& layer_below(std::byte* end) { return *(reinterpret_cast<LayerOutlines*>(end) - 1); }
-    /// With its chains.
+    /// The size of a layer with its chains.
     static std::size_t bytes_of(const LayerOutlines& layer) { return sizeof(LayerOutlines) + layer.bytes; }
     LayerOutlines* kept_layer(LayerName name) const;
     void begin_picture();
@@ -155,22 +155,22 @@ private:
     }
 
     std::byte* bytes_ = nullptr;
-    Corner* corners_end_ = nullptr; ///< of the contour that is coming in
+    Corner* corners_end_ = nullptr; ///< of the incoming contour
     Corner* behind_ = nullptr;      ///< the last one that was added behind
     std::byte* chains_ = nullptr;   ///< the last one that was added
     LayerOutlines* layer_ = nullptr;
     std::byte* kept_ = nullptr;      ///< the end of the layer that may come next
-    std::byte* kept_end_ = nullptr;  ///< below all that were kept
+    std::byte* kept_end_ = nullptr;  ///< the lower end of all that were kept
     std::size_t waiting_ = 0;        ///< bytes of layers that were kept and have not been reused
-    const CornerMap* map_ = nullptr; ///< that places contours; null if they come in where they are seen
-    ContourCache* cache_ = nullptr;  ///< that keeps contours before they are placed
-    bool is_named_ = false;          ///< the fingerprint has the name of the contours that come in
+    const CornerMap* map_ = nullptr; ///< places contours; null if they are added as they are seen
+    ContourCache* cache_ = nullptr;  ///< keeps contours before they are placed
+    bool is_named_ = false;          ///< the fingerprint has the name of the incoming contours
     std::span<std::uint32_t> heads_;
     std::size_t size_ = 0;
     std::size_t needed_ = 0;
     Size panel_;
     int band_bits_ = 0;
-    bool is_large_ = false; ///< the panel: x of a chain counts from a column of its own
+    bool is_large_ = false; ///< whether the panel is large: x of a chain counts from a column of its own
     bool is_full_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What an OutlineStore keeps from one picture to the next, and takes in before it lies where it is seen.
+// What an OutlineStore keeps from one picture to the next, and takes in before it is placed.
 
 #include "core/bytes/op_counter.hpp"
 #include "core/raster/outline/outline_store.hpp"
@@ -25,7 +25,7 @@ void OutlineStore::keep(const Dependence& moved)
     begin_picture();
 }
 
-/// Of those that were traced behind the one that was reused last. Null if it is not among the next ones.
+/// Looks among those that were traced after the one that was reused last. Null if it is not among the next.
 LayerOutlines* OutlineStore::kept_layer(LayerName name) const
 {
     std::byte* end = kept_;
@@ -88,7 +88,7 @@ void OutlineStore::add(const KeptContour& contour)
     add_contour();
 }
 
-/// All corners of the contour that is coming in.
+/// Places all corners of the incoming contour.
 void OutlineStore::place_corners()
 {
     if (cache_ != nullptr) {

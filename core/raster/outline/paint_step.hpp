@@ -14,7 +14,7 @@ struct RowRange {
     std::int16_t end = 0;
 };
 
-/// Tells the layers of a scene apart, wherever symbols are used.
+/// Identifies a layer of a scene, wherever symbols are used.
 struct LayerName {
     std::uint32_t item = 0;
     std::uint8_t part = 0; ///< of the item: its fill, or its stroke
@@ -28,9 +28,9 @@ struct LayerOutlines {
     Fingerprint fingerprint;
     std::uint32_t item = 0;       ///< of its name
     std::uint32_t bytes = 0;      ///< of its chains
-    std::uint32_t peak_bytes = 0; ///< the most of them, and of corners that came in, at a time
+    std::uint32_t peak_bytes = 0; ///< the maximum of them, and of corners that came in, at a time
     RowRange rows;                ///< that it may reach
-    std::uint16_t step = no_step; ///< which one of the picture paints it; none if it is not in the picture
+    std::uint16_t step = no_step; ///< of the picture, that paints it; none if it is not in the picture
     std::uint8_t part = 0;        ///< of its name
 
     bool has_name(LayerName name) const { return item == name.item && part == name.part; }
@@ -60,11 +60,11 @@ struct PaintStep {
     std::uint8_t opacity = 255; ///< only of end_group
     FillRule rule = FillRule::nonzero;
     Colour colour = {};     ///< only of layers
-    std::uint32_t item = 0; ///< tells the items of a scene apart, wherever symbols are used
+    std::uint32_t item = 0; ///< identifies an item of the scene, wherever symbols are used
     Fingerprint outlines = {};
     RowRange rows = {}; ///< that a layer may reach
 
-    // What comparing pictures has found.
+    // Set when pictures are compared.
     std::uint16_t partner = no_partner; ///< number of the same step of the other picture
     std::uint8_t slot = no_slot;        ///< of a layer, see Slots
     bool is_in_group = false;

@@ -11,16 +11,16 @@
 
 namespace kfast::raster {
 
-/// A moment of a scene, ready to be drawn, in memory that the caller lends.
+/// The picture of a scene at a time, ready to be drawn, in memory that the caller lends.
 struct Picture {
     OutlineStore outlines;
     PictureCache cache;           ///< of contours before they are placed, and of key drawings made equal
     std::span<PaintStep> storage; ///< of the steps
     std::size_t step_count = 0;
-    Dependence dependence;       ///< on what it depends: the same as long as nothing of that moves
-    std::uint8_t coarseness = 0; ///< how often the pieces of curves were made twice as long to find room
+    Dependence dependence;       ///< what it depends on: the same as long as nothing of that moves
+    std::uint8_t coarseness = 0; ///< how often the length of pieces of curves was doubled to find room
 
-    /// For want of room its curves are coarser, or parts of it are missing.
+    /// Whether, for want of room, its curves are coarser, or parts of it are missing.
     bool is_coarse() const { return coarseness != 0 || outlines.is_full(); }
 
     /// There is room for all steps that a scene needs. If two items had the same path and one were taken for

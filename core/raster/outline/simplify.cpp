@@ -11,7 +11,7 @@ namespace {
 /// An edge replaces no more than these, so that each corner is looked at a few times at most.
 constexpr std::ptrdiff_t max_replaced = 8;
 
-/// Of an edge that replaces others, to either side: products have 32 bits.
+/// The maximum extent of an edge that replaces others, to either side: products have 32 bits.
 constexpr std::int32_t max_extent = 256 * grid;
 
 /// The length of a vector, at most 12 % too small or 4 % too large.
@@ -22,7 +22,7 @@ std::int32_t length(std::int32_t x, std::int32_t y)
     return std::max(a, b) + std::min(a, b) / 4;
 }
 
-/// Whether the corners between two others lie near the straight line from one to the other, and beside it.
+/// Whether the corners between two others are near the straight line from one to the other, and beside it.
 bool are_near_line(const Corner* from, const Corner* to)
 {
     const std::int32_t width = to->x - from->x;
@@ -63,14 +63,14 @@ Corner* simplify(Corner* first, Corner* end)
 
 namespace {
 
-/// Adds corners behind others, up to a limit.
+/// Adds corners after others, up to a limit.
 class CornerList {
 public:
     CornerList(Corner* end, Corner* limit) : end_{end}, limit_{limit} {}
 
     void add(Corner corner)
     {
-        if (end_ + 1 > limit_) // its place need not be a whole number of corners away
+        if (end_ + 1 > limit_) // the limit need not be a whole number of corners away
             has_overflown_ = true;
         else
             *end_++ = corner;
@@ -85,7 +85,7 @@ private:
     bool has_overflown_ = false;
 };
 
-/// Writes a contour anew, edge by edge: add_edge(list, from, to) adds what stands for the way behind `from`.
+/// Writes a contour anew, edge by edge: add_edge(list, from, to) adds what replaces the edge after `from`.
 template <class AddEdge>
 [[gnu::cold, gnu::noinline]] CutContour rewrite(Corner* first, CutContour contour, Corner* limit,
                                                 AddEdge add_edge)
@@ -102,7 +102,7 @@ template <class AddEdge>
     return {end, std::max(contour.peak, list.end())};
 }
 
-/// Moves what lies beyond two lines to these: `along` is Corner::x for upright lines, then `across` is y.
+/// Clamps the contour between two lines: `along` is Corner::x for upright lines, then `across` is y.
 CutContour clamp(Corner* first, CutContour contour, Corner* limit, std::int32_t Corner::*along,
                  std::int32_t Corner::*across, std::int32_t low, std::int32_t high)
 {

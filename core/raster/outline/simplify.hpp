@@ -6,7 +6,7 @@
 
 namespace kfast::raster {
 
-/// How far a corner that is left out lies from the edge that replaces its two, in the grid, to a few
+/// How far a corner that is left out is from the edge that replaces its two, in the grid, to a few
 /// hundredths.
 inline constexpr std::int32_t simplify_tolerance = 3;
 
@@ -18,18 +18,18 @@ inline constexpr std::int32_t simplify_tolerance = 3;
 /// Returns the end of those that are left. The first and the last corner stay.
 [[gnu::cold, gnu::noinline]] Corner* simplify(Corner* first, Corner* end);
 
-/// Edges of such a contour are at most so long in either direction.
+/// The maximum length of edges of such a contour in either direction.
 inline constexpr std::int32_t max_far_edge = 250 * grid;
 
 /// A contour that was written anew.
 struct CutContour {
     Corner* end = nullptr;  ///< null if there was no room
-    Corner* peak = nullptr; ///< behind all memory that was written to
+    Corner* peak = nullptr; ///< the end of all memory that was written to
 };
 
-/// Moves what lies outside of the box with these corners to its borders, and divides long edges; what the
-/// contour encloses within the box stays as it is. The contour is what lies between `first` and `end`; there
-/// is room for more corners behind it, up to `limit`.
+/// Moves what is outside of the box with these corners to its borders, and divides long edges; what the
+/// contour encloses within the box stays as it is. The contour is between `first` and `end`; there
+/// is room for more corners after it, up to `limit`.
 [[gnu::cold, gnu::noinline]] CutContour cut_far_contour(Corner* first, Corner* end, Corner* limit,
                                                         Corner upper_left, Corner lower_right);
 

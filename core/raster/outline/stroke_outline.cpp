@@ -42,7 +42,7 @@ constexpr std::int32_t arc_flatness = Fixed::one / 24;
 /// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
 int arc_step(Fixed half_width, int coarseness)
 {
-    constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter turn
+    constexpr std::array<std::uint8_t, 10> pieces{1, 2, 3, 4, 6, 8, 12, 16, 24, 48}; // of a quarter circle
     constexpr std::int32_t radius_of_one = arc_flatness * 16 / 5;                    // 32 / pi^2
     const std::int32_t radius = half_width.raw() >> 2 * coarseness;
     std::size_t chosen = 0;
@@ -63,7 +63,7 @@ Fixed held_on_panel(Fixed at)
     return Fixed::from_raw(std::clamp(at.raw(), -farthest, farthest));
 }
 
-/// A quarter turn from the right of a direction, or from the left of its opposite.
+/// A rotation by 90 degrees, from the right of a direction, or from the left of its opposite.
 Point turned(Point side) { return {side.y, -side.x}; }
 
 /// Where the lines meet that pass along the ends of two sides.
@@ -77,7 +77,7 @@ Point slight_meeting(Point a, Point b, std::int32_t versine_q30)
     return {of(a.x, b.x), of(a.y, b.y)};
 }
 
-/// Likewise for any bend; `rest` is 1 + cos, in Q30, 2^21 or more.
+/// The same for any bend; `rest` is 1 + cos, in Q30, 2^21 or more.
 Point meeting(Point a, Point b, std::uint32_t rest)
 {
     const int zeros = std::countl_zero(rest);
@@ -91,7 +91,7 @@ Point meeting(Point a, Point b, std::uint32_t rest)
 std::int32_t cosine_between(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
 std::int32_t sine_between(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
 
-/// 1 + cos of the angle between two headings, in Q30. Near a full turn back the cosine is too coarse; 1 + cos
+/// 1 + cos of the angle between two headings, in Q30. Near a reversal the cosine is too coarse; 1 + cos
 /// is half the square of the sum of the vectors.
 std::uint32_t rest_of_turn(Direction a, Direction b, std::int32_t cosine)
 {
@@ -106,7 +106,7 @@ std::uint32_t rest_of_turn(Direction a, Direction b, std::int32_t cosine)
 
 int max_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
 
-/// What two pieces leave between them: where their inner sides end, and how far they turn.
+/// The bend between two pieces: where their inner sides end, and the angle between them.
 struct StrokeOutline::Bend {
     Side inner;
     Point from;
@@ -116,7 +116,7 @@ struct StrokeOutline::Bend {
 
     /// Whether the inner sides cross between the ends of both pieces, the shorter of which is `length` long;
     /// the far halves are left to what the other ends may need. They cross |to - from| / 2 / cos(a/2) before
-    /// the bend, for a turn by a.
+    /// the bend, for a rotation by a.
     bool crosses_within(std::uint32_t length, bool is_slight) const
     {
         const Point apart = to - from;
@@ -137,7 +137,7 @@ void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::Outli
 }
 
 // A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
-// pen, that is half_width (1 - cos) / 4, and the turn less than 29 degrees: then slight_meeting() is as near.
+// pen, that is half_width (1 - cos) / 4, and the angle below 29 degrees: then slight_meeting() is as near.
 StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness)
     : outlines_{outlines}, pen_{pen}, slight_bend_{static_cast<std::int32_t>(
                                           (1U << 31) / std::max<std::uint32_t>(
@@ -208,7 +208,7 @@ StrokeOutline::Piece StrokeOutline::piece_along(Point step) const
     return {direction, length, {half_width_times(-direction.y), half_width_times(direction.x)}};
 }
 
-/// Tips, and sides of strokes at the border of what is held, would lie further out than Fixed can subtract.
+/// Tips, and sides of strokes at the border of the range, would be further out than Fixed can subtract.
 void StrokeOutline::add(Side side, Point at)
 {
     const raster::Corner corner = raster::corner_at({held_on_panel(at.x), held_on_panel(at.y)});
@@ -252,7 +252,7 @@ void StrokeOutline::join(const Piece& after)
 }
 
 /// Where the inner sides do not meet, the inner side goes through the corner itself: then every part of the
-/// outline turns the same way, however short the pieces are.
+/// outline turns in the same direction, however short the pieces are.
 void StrokeOutline::add_pivot(const Bend& bend)
 {
     add(bend.inner, last_ + bend.from);
@@ -269,8 +269,8 @@ void StrokeOutline::add_outer(const Bend& bend)
     add(outer, last_ - bend.to);
 }
 
-/// A miter is 1 / cos(a/2) half widths long, for a turn by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip stays
-/// where Fixed can hold it: corners are within 16383 px.
+/// A miter is 1 / cos(a/2) half widths long, for a rotation by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip
+/// stays in the range of Fixed: corners are within 16383 px.
 bool StrokeOutline::has_miter(std::uint32_t rest) const
 {
     if (pen_.join != Join::miter)
@@ -280,7 +280,7 @@ bool StrokeOutline::has_miter(std::uint32_t rest) const
     return (rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= rest >> 15 << 12;
 }
 
-/// The corners between `from` and the end of a turn, towards `ahead`.
+/// Adds the corners between `from` and the end of an arc, towards `ahead`.
 void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine)
 {
     for (int angle = arc_step_; angle < 2 * quarter_turn && cosine_q15(angle) * (1 << 15) > cosine;
@@ -288,7 +288,7 @@ void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::i
         add(side, centre + scaled(from, cosine_q15(angle)) + scaled(ahead, sine_q15(angle)));
 }
 
-/// The corners between the right and the left end of a stroke that ends at `at`.
+/// Adds the corners between the right and the left end of a stroke that ends at `at`.
 void StrokeOutline::cap(Point at, Point side)
 {
     const Point ahead = turned(side);
@@ -300,7 +300,7 @@ void StrokeOutline::cap(Point at, Point side)
     }
 }
 
-/// A stroke without length: a disc or a square, as in SVG.
+/// Draws a stroke without length: a disc or a square, as in SVG.
 void StrokeOutline::dot()
 {
     if (pen_.cap == Cap::butt)

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// The tool that draws a stroke.
+/// How a stroke is drawn.
 struct Pen {
     Fixed half_width; ///< in panel pixels, at most 4095
     Cap cap = Cap::butt;
@@ -17,25 +17,25 @@ struct Pen {
     int miter_limit = default_miter_limit; ///< in 1/8 widths, 8 … 255
 };
 
-/// How many corners lie between the ends of half a turn of a pen, at most.
+/// The maximum number of corners between the ends of a half circle of a pen.
 int max_corners_of_half_turn(Fixed half_width);
 
-/// Turns strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
-/// sides of a stroke grow at once. The winding number is positive wherever the pen has been: what the contour
-/// goes around is the sum of a rectangle for each piece and a wedge for each join.
+/// Converts strokes into contours as they are drawn: nothing is stored but the first and the last piece. Both
+/// sides of a stroke are built at once. The winding number is positive wherever the pen has been: what the
+/// contour goes around is the sum of a rectangle for each piece and a wedge for each join.
 class StrokeOutline {
 public:
-    /// `coarseness` makes the pieces of arcs that often twice as long.
+    /// `coarseness`: how often the maximum length of pieces of arcs is doubled.
     StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
     void begin(Point at) { code_->begin(*this, at); }
-    /// Points closer than 1/256 px to the one before are passed over: their direction would be noise.
+    /// Points closer than 1/256 px to the previous one are skipped: their direction would be noise.
     void line_to(Point to) { code_->line_to(*this, to); }
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed) { code_->end(*this, is_closed); }
 
 private:
-    /// What works on it: linked only with what makes one.
+    /// The functions that work on it: linked only with what makes one.
     struct Code {
         void (*begin)(StrokeOutline&, Point at);
         void (*line_to)(StrokeOutline&, Point to);
@@ -81,7 +81,7 @@ private:
     bool has_piece_ = false;
 };
 
-/// Makes one in its place, for the feature.
+/// Makes one in place, for the feature.
 void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
                             const Pen& pen, int coarseness);
 

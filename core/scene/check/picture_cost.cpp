@@ -5,7 +5,7 @@
 namespace kfast {
 namespace {
 
-// Instructions of a Cortex-M0 (host/fit/cost_table.cpp has what they are in the mean).
+// Instructions of a Cortex-M0 (host/fit/cost_table.cpp has their averages).
 constexpr std::uint32_t per_item = 512;
 constexpr std::uint32_t per_track = 64;
 constexpr std::uint32_t per_layer = 1024;
@@ -22,11 +22,11 @@ constexpr std::uint32_t per_border = 48;
 /// No product of it and what a point takes overflows; more is dearer than the dearest picture anyway.
 constexpr std::uint32_t max_points = 1U << 20;
 
-constexpr std::uint32_t max_keys = 1U << 24; ///< likewise
+constexpr std::uint32_t max_keys = 1U << 24; ///< no product of it overflows
 
 constexpr std::uint32_t thousands(std::uint32_t instructions) { return instructions / 1024 + 1; }
 
-/// Fills and strokes.
+/// The number of fills and strokes.
 constexpr std::uint32_t layers_of(const ObjectStyle& style)
 {
     return (style.is_filled ? 1U : 0U) + (style.is_stroked ? 1U : 0U);

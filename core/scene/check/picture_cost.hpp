@@ -18,7 +18,7 @@ public:
 
     explicit SceneParts(Time length);
 
-    /// A bit for each part that something of [from, to) lies in.
+    /// A bit for each part in which something of [from, to) is.
     std::uint32_t between(Time from, Time to) const;
 
 private:
@@ -26,19 +26,19 @@ private:
     int shift_ = 0; ///< a part has 2^shift_ ticks
 };
 
-/// What the worst picture of a scene takes: a sum of what its items take, for each part of its time, so that
+/// The cost of the worst picture of a scene: a sum of what its items cost, for each part of its time, so that
 /// items that are never seen together are not added up.
 ///
-/// Costs are in thousands (1024) of instructions of a Cortex-M0, and on the whole lower than they are.
+/// Costs are in thousands (1024) of instructions of a Cortex-M0, and on the whole lower than in fact.
 class PictureCost {
 public:
-    /// Where sums end; more than a Pico (RP2040, 125 MHz, some 1.7 cycles an instruction) does in nine
+    /// The limit of sums; more than a Pico (RP2040, 125 MHz, some 1.7 cycles an instruction) does in nine
     /// tenths of a second.
     static constexpr std::uint32_t max = 0xFFFF;
 
-    /// `parts` as of SceneParts.
+    /// `parts` as returned by SceneParts.
     void add(std::uint32_t cost, std::uint32_t parts);
-    /// Of the part in which it is most.
+    /// The cost of the part in which it is highest.
     std::uint32_t largest() const;
 
 private:
@@ -46,39 +46,39 @@ private:
     std::array<std::uint16_t, SceneParts::max> in_part_{};
 };
 
-/// The cost of an item with so many tracks, whether it is seen or not.
+/// The cost of an item with `tracks` tracks, whether it is seen or not.
 std::uint32_t cost_of_item(std::uint32_t tracks);
-/// The cost of drawing a leaf of so many points, each of which takes `per_point` instructions, at most 1024,
+/// The cost of drawing a leaf of `points` points, each of which takes `per_point` instructions, at most 1024,
 /// more than others.
 std::uint32_t cost_of_leaf(const ObjectStyle& style, std::uint32_t points, std::uint32_t per_point);
-/// The cost of finding a place on a path of so many segments.
+/// The cost of finding a position on a path of `segments` segments.
 std::uint32_t cost_of_path(std::uint32_t segments);
-/// The cost of moving what is laid out of a scene to a moment, however far away, and of as many borders as
+/// The cost of moving the laid-out scene to a time, however far away, and of as many borders as
 /// its pictures may have (SceneView::borders()). `keys` is how many its timelines have.
 std::uint32_t cost_of_records(const SceneRecords& records, std::uint32_t keys, std::uint32_t borders);
-/// Of looking for the item with the lowest order among items beside each other, again and again: `ordered` of
+/// The cost of searching the item with the lowest order in a list, again and again: `ordered` of
 /// them have a track of it.
 std::uint32_t cost_of_ordered(std::uint32_t items, std::uint32_t ordered);
 
-/// What items take together, those of a symbol counted wherever it is used.
+/// The sums of items, those of a symbol counted wherever it is used.
 struct ItemTotals {
     std::uint16_t items = 0;
     std::uint16_t paint_steps = 0;
     std::uint16_t cost = 0;       ///< of a symbol: PictureCost::most()
-    std::uint8_t depth : 4 = 0;   ///< groups and uses in each other
-    std::uint8_t blended : 4 = 0; ///< those in each other that may be blended as a whole, leaves too
-    std::uint8_t spaces : 4 = 0;  ///< those in each other that are placed, leaves too
+    std::uint8_t depth : 4 = 0;   ///< nested groups and uses
+    std::uint8_t blended : 4 = 0; ///< nested ones that may be blended as a whole, including leaves
+    std::uint8_t spaces : 4 = 0;  ///< nested ones that are placed, including leaves
     bool has_several_layers : 1 = false;
-    bool is_too_much : 1 = false; ///< for the format: then figures are not to be relied on
-    std::uint32_t shown = 0; ///< of a symbol: the parts in which it takes more than a thousand for each item
+    bool is_too_much : 1 = false; ///< exceeds the format: then the numbers are not valid
+    std::uint32_t shown = 0; ///< of a symbol: the parts in which it costs more than a thousand for each item
 
     static ItemTotals of_leaf(const ObjectStyle& style);
-    /// Of an item inside of which there are these.
+    /// The totals of an item that contains these.
     ItemTotals in_item() const;
-    /// Of the same item, which is placed, or may be blended as a whole.
+    /// For the same item, which is placed, or may be blended as a whole.
     void place();
     void blend();
-    /// With an item beside those before.
+    /// Adds an item of the same list.
     void add(const ItemTotals& item);
 };
 

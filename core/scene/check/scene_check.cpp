@@ -12,7 +12,7 @@ bool SceneCheck::passes()
            check_bones() && check_symbols() && check_whole();
 }
 
-/// Whether the program has it.
+/// Whether the program has the feature.
 bool SceneCheck::needs(Feature feature)
 {
     scene_.needed_features_.add(feature);
@@ -22,7 +22,7 @@ bool SceneCheck::needs(Feature feature)
     return false;
 }
 
-/// Where not, the item that is looked at has too much.
+/// If not, the current item has too much.
 bool SceneCheck::may_read(std::uint32_t keys_or_points)
 {
     if (allowance_.take(keys_or_points))
@@ -106,7 +106,7 @@ bool SceneCheck::check_symbols()
     return symbols.left() == 0;
 }
 
-/// What is seen, with all symbols in it.
+/// Checks what is visible, with all symbols in it.
 bool SceneCheck::check_whole()
 {
     cost_ = {};

@@ -17,8 +17,8 @@
 namespace kfast {
 
 /// How much more SceneView::parse() reads: keys and points of drawings. A scene says in few bytes that many
-/// keys have the same drawing, or that many tracks have the same key times, and whoever parses it reads them
-/// for each; so a bound on the bytes alone would be none on the time.
+/// keys have the same drawing, or that many tracks have the same key times, and parsing reads them
+/// for each; so a bound on the bytes alone would not bound the time.
 class ReadAllowance {
 public:
     explicit constexpr ReadAllowance(std::size_t scene_bytes)
@@ -26,7 +26,7 @@ public:
     {
     }
 
-    /// Whether so much may be read; then it counts as read.
+    /// Whether that many may be read; then they count as read.
     constexpr bool take(std::uint32_t keys_or_points)
     {
         if (keys_or_points > left_)
@@ -42,7 +42,7 @@ private:
     std::uint32_t left_;
 };
 
-/// Whether a scene may have a key there, the inputs of which are numbers where `numbers` has their bit.
+/// Whether a scene may have a key at this time, whose inputs are numbers where `numbers` has their bit.
 constexpr bool is_key_moment(Driver driver, Time time, std::uint32_t numbers)
 {
     if (driver.is_time())
@@ -51,52 +51,52 @@ constexpr bool is_key_moment(Driver driver, Time time, std::uint32_t numbers)
            time <= whole_input;
 }
 
-/// Looks for everything that can be wrong within the sections of a scene, and counts what it needs.
+/// Checks everything that can be wrong within the sections of a scene, and counts what it needs.
 class SceneCheck {
 public:
-    /// `scene` has its header and sections; `symbols` is room for what is found of as many as it has.
+    /// `scene` has its header and sections; `symbols` is room for the results of as many as it has.
     SceneCheck(SceneView& scene, std::span<ItemTotals> symbols)
         : scene_{scene}, allowance_{scene.size()}, parts_{scene.length()}, symbols_{symbols}
     {
     }
 
-    /// Whether nothing is wrong; then the scene knows what its pictures take.
+    /// Whether nothing is wrong; then the scene has the needs of its pictures.
     bool passes();
-    /// Why not.
+    /// The reason if not.
     Error error() const { return error_; }
-    /// Where, as SceneView::parse() tells it.
+    /// The item at fault, as SceneView::parse() returns it.
     std::uint32_t item() const { return item_; }
 
     // Called for features (core/features.hpp).
 
-    /// Of a key whose drawing has been checked, and whose skeleton has so many bones.
+    /// Checks the skin of a key whose drawing has been checked, and whose skeleton has `bones` bones.
     bool check_skin(const Key& key, std::uint32_t bones);
     bool check_backbones(const BackbonesView& backbones);
-    /// Of a key whose drawing has been checked.
+    /// Checks the depths of a key whose drawing has been checked.
     bool check_depths(const Key& key);
     bool check_path(const ItemView& item);
-    /// Of an item that shows the input `text`.
+    /// Checks the label of an item that shows the input `text`.
     bool check_label(const LabelView& label, const TextInput& text);
-    /// Lines, and no more than the input may have.
+    /// Checks that it has only lines, and no more than the input may have.
     bool check_default(const DrawingInput& input);
 
 private:
-    /// A drawing that was checked a short while ago.
+    /// A drawing that was checked recently.
     struct CheckedDrawing {
         std::uint32_t key = 0; ///< its offset and 1
         std::uint32_t points = 0;
     };
 
-    /// What the tracks of an item say.
+    /// What the tracks of an item determine.
     struct Tracks {
-        std::uint32_t seen = SceneParts::all; ///< the parts of the scene in which it may be
+        std::uint32_t seen = SceneParts::all; ///< the parts of the scene in which it may be visible
         std::uint8_t count = 0;
         bool may_be_transparent = false;
         bool has_order = false;
         bool is_placed = false;
     };
 
-    /// Items beside each other, and the tracks of the group that they are in.
+    /// A list of items, and the tracks of the group that they are in.
     struct Level {
         ItemCursor items{ByteReader{{}}};
         Tracks tracks{};
@@ -149,15 +149,15 @@ private:
     SceneParts parts_;
     std::array<std::uint32_t, 8> holds_{}; ///< a bit for each pair of laws that is hold
     std::span<ItemTotals> symbols_;
-    std::array<CheckedDrawing, 32> checked_{}; ///< where the last bits of their offsets lead
-    // Of the symbol that is looked at, or of the scene.
+    std::array<CheckedDrawing, 32> checked_{}; ///< indexed by the lowest bits of their offsets
+    // About the current symbol, or about the scene.
     PictureCost cost_;
-    std::uint32_t shown_ = 0; ///< the parts in which it takes more than a thousand for each item
-    // Of the item that is looked at.
+    std::uint32_t shown_ = 0; ///< the parts in which it costs more than a thousand for each item
+    // About the current item.
     std::uint32_t items_read_ = 0;
     std::uint32_t points_ = 0;         ///< of its largest drawing, or of all of its letters
     std::uint32_t drawing_points_ = 0; ///< of the drawing checked last
-    // Of the item that costs most.
+    // About the item that costs most.
     std::uint32_t max_ = 0;
     std::uint32_t item_ = 0xFFFF'FFFF;
 };
@@ -165,21 +165,21 @@ private:
 /// Whether nothing is wrong with the scene's skeletons of bones; `laws` pairs of laws are stored.
 bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& allowance);
 
-/// Whether the inputs of the scene, which has its sections, are what the format allows, but for the drawings
-/// that they refer to.
+/// Whether the inputs of the scene, which has its sections, are what the format allows, except for the
+/// drawings that they refer to.
 bool are_inputs_valid(const SceneView& scene);
 
-/// Whether a label of this input is what the format allows, but for the drawings that it refers to.
+/// Whether a label of this input is what the format allows, except for the drawings that it refers to.
 bool is_label_valid(const LabelView& label, const TextInput& text);
 
-// Of drawings that have been checked, at offsets in a scene's section of drawings:
+// About drawings that have been checked, at offsets in a scene's section of drawings:
 
-/// As many strokes, with the same segments of the same kinds.
+/// Whether they have as many strokes, with the same segments of the same kinds.
 bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other);
 
 bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset);
 
-/// Three strokes of lines for each backbone, with as many points, at least two.
+/// Whether it has three strokes of lines for each backbone, with as many points, at least two.
 bool are_backbones(std::span<const std::byte> drawings, std::uint32_t offset);
 
 }

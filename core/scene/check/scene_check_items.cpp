@@ -21,7 +21,7 @@ bool is_valid(const BeamStyle& beam, const ObjectStyle& style)
            (style.is_filled && beam.spacing >= kfb::min_hatch_spacing && beam.spacing <= kfb::max_width);
 }
 
-/// Of what carries the points of an object, or lays them out.
+/// The instructions of what deforms the points of an object, or lays them out.
 std::uint32_t instructions_per_point(const ItemView& item)
 {
     constexpr std::uint32_t seen_in_perspective = 1024;
@@ -36,7 +36,7 @@ std::uint32_t instructions_per_point(const ItemView& item)
 
 }
 
-/// `depth` is that of what lies around them. Groups are entered in a loop: their levels take less of the
+/// `depth` is that of what is around them. Groups are entered in a loop: their levels take less of the
 /// stack than calls would.
 bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std::uint32_t depth,
                              ItemTotals& totals)
@@ -77,7 +77,7 @@ bool SceneCheck::check_items(ItemCursor items, std::uint32_t usable_symbols, std
     return true;
 }
 
-/// What all kinds of items have. From here on `tracks` tell when it is seen in what lies around it, too.
+/// Checks what all kinds of items have. From here on `tracks` also include when its surroundings are visible.
 bool SceneCheck::check_item(const ItemView& item, Level& level, Tracks& tracks)
 {
     const std::uint32_t cost = cost_of_item(tracks.count);
@@ -96,7 +96,7 @@ bool SceneCheck::check_item(const ItemView& item, Level& level, Tracks& tracks)
     return true;
 }
 
-/// Of all but groups. `seen`: in which parts of the scene.
+/// Checks all kinds except groups. `seen`: in which parts of the scene.
 bool SceneCheck::check_content(const ItemView& item, std::uint32_t seen, std::uint32_t usable_symbols,
                                ItemTotals& own)
 {
@@ -112,7 +112,7 @@ bool SceneCheck::check_content(const ItemView& item, std::uint32_t seen, std::ui
     return true;
 }
 
-/// Of items beside each other.
+/// Ends a list of items.
 bool SceneCheck::end_list(const Level& level)
 {
     if (level.ordered == 0)
@@ -140,7 +140,7 @@ bool SceneCheck::check_leaf(const ItemView& item, std::uint32_t seen)
     return true;
 }
 
-/// Of the item that is looked at.
+/// Adds a cost of the current item.
 void SceneCheck::add_cost(std::uint32_t cost, std::uint32_t seen)
 {
     cost_.add(cost, seen);
@@ -170,7 +170,7 @@ bool SceneCheck::check_tracks(const ItemView& item, Tracks& tracks)
     return true;
 }
 
-/// In which parts of the scene an item with this opacity or visibility may be seen.
+/// In which parts of the scene an item with this opacity or visibility may be visible.
 std::uint32_t SceneCheck::seen_by(const TrackView& track) const
 {
     if (track.is_fixed)

@@ -63,7 +63,7 @@ bool is_coordinate(std::int32_t sixteenths)
 
 bool is_width(std::int32_t width) { return width >= -kfb::max_text_width && width <= kfb::max_text_width; }
 
-/// The largest of `count` values in either direction; beyond kfb::max_text_width it stays beyond it.
+/// The largest absolute value of `count` values; beyond kfb::max_text_width it stays beyond it.
 std::int32_t largest(const PackedValues& values, std::uint32_t count)
 {
     std::int32_t max = 0;
@@ -104,7 +104,7 @@ bool is_label_valid(const LabelView& label, const TextInput& text)
            is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) && fits(label, text);
 }
 
-/// What of a scene comes from outside.
+/// The parts of a scene that come from outside.
 
 bool SceneCheck::check_inputs()
 {

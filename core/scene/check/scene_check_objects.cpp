@@ -9,7 +9,7 @@
 namespace kfast {
 namespace {
 
-/// How many bones the skeleton has that carries `object`; 0 if there is none.
+/// How many bones the skeleton has that deforms `object`; 0 if there is none.
 std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
 {
     if (object.deformer != Deformer::bones)
@@ -32,7 +32,7 @@ bool is_within(Fixed coordinate)
 
 bool is_within(Point at) { return is_within(at.x) && is_within(at.y); }
 
-/// Whether coordinates have 16 bits, as everything behind relies on.
+/// Whether coordinates have 16 bits, as all later code requires.
 bool is_within(const Segment& segment)
 {
     return is_within(segment.to) && is_within(segment.c1) && is_within(segment.c2);
@@ -45,7 +45,7 @@ bool is_valid(const Binding& binding, std::uint32_t bones)
     return sound;
 }
 
-/// Whether each point of a drawing that has been checked follows bones that there are.
+/// Whether each point of a drawing that has been checked follows bones that exist.
 [[gnu::cold, gnu::noinline]] bool has_bindings(PackedDrawing& drawing, SkinReader& skin, std::uint32_t bones)
 {
     for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
@@ -104,7 +104,7 @@ bool SceneCheck::check_keys(const ObjectView& object)
     return true;
 }
 
-/// The drawing of a key, and what belongs to it.
+/// Checks the drawing of a key, and what belongs to it.
 bool SceneCheck::check_drawings(const ObjectView& object, const Key& key, std::uint32_t bones)
 {
     if (!check_drawing(key.drawing))

@@ -22,7 +22,7 @@ ValueRange range_of(BoneQuantity quantity)
 
 bool is_within(std::int32_t value, ValueRange range) { return value >= range.min && value <= range.max; }
 
-/// Of one skeleton.
+/// Checks one skeleton.
 class BoneCheck {
 public:
     BoneCheck(const SkeletonView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
@@ -96,7 +96,7 @@ private:
 
     const SkeletonView& bones_;
     std::uint32_t laws_;
-    std::uint32_t numbers_; ///< a bit for each input that is one
+    std::uint32_t numbers_; ///< a bit for each input that is a number
     ReadAllowance& allowance_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace kfast {
 
-/// What goes over the bus for one picture.
+/// What is sent over the bus for one picture.
 struct SentAreas {
     std::vector<Rect> areas;
     std::size_t bytes = 0; ///< of pixels, and of the commands for areas
@@ -20,16 +20,16 @@ struct SentAreas {
     std::string text(Size panel) const;
 };
 
-/// Draws a scene as a board does, and tells what it sends to its panel.
+/// Draws a scene as a board does, and reports what it sends to its panel.
 class BoardChanges final : public StandalonePlayer {
 public:
     /// `scene`'s bytes must outlive it. `board` has a panel. If its bands are less than the rows that the
     /// panel takes together, they are taken to be as large.
     BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit);
 
-    /// For the picture at a moment, after the one that was asked for before; if that is the same moment and
-    /// nothing differs, what was set then. The first one comes after the picture a frame earlier; at the
-    /// beginning of the scene nothing is shown before it.
+    /// The areas for the picture at a time, after the one that was asked for before; if that is the same time
+    /// and nothing differs, what was returned then. The first one comes after the picture a frame earlier; at
+    /// the beginning of the scene nothing is shown before it.
     const SentAreas& show(Time moment);
 
 private:
@@ -47,7 +47,7 @@ public:
     /// `scene`'s bytes must outlive it; `board` has a panel.
     BoardPace(const SceneView& scene, const fit::Target& board, Fit fit);
 
-    /// To set what the scene takes from outside.
+    /// For setting the inputs of the scene.
     InputReceiver& inputs() { return changes_; }
     double seconds_for(Time moment);
 

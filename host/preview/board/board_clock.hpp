@@ -6,22 +6,22 @@
 
 namespace kfast {
 
-/// Which frames a board begins when, as its run loop does (firmware/run/run.hpp): one after the other, those
-/// left out for which it would come too late. Times are in seconds since the first one.
+/// Which frames a board begins when, as its run loop does (firmware/run/run.hpp): one after the other,
+/// leaving out those for which it would come too late. Times are in seconds since the first one.
 class BoardClock {
 public:
     /// `frame_seconds` is what a frame lasts in the scene.
     explicit BoardClock(double frame_seconds) : frame_seconds_{frame_seconds} {}
 
-    /// Frame 0 is due.
+    /// Begins again: frame 0 is due.
     void restart();
     bool is_due(double now) const { return next_ <= now; }
     double next() const { return next_; }
     /// The frame that the board begins at next().
     std::int64_t frame() const { return frame_; }
-    /// That frame takes so long; what is next is the one after it.
+    /// That frame takes `seconds`; the next one follows it.
     void take(double seconds);
-    /// Frames begun in a second, as of late; nothing before there are two.
+    /// The rate of the last frames begun, per second; none before there are two.
     std::optional<double> rate() const;
 
 private:

@@ -29,7 +29,7 @@ FitLine memory_line(const std::string& name, std::size_t used, std::size_t room)
     return {name + fit::memory_text(used) + " of " + fit::memory_text(room), verdict(used <= room)};
 }
 
-/// What the scene takes of the room for scenes.
+/// Adds what the scene takes of the room for scenes.
 void add_scene_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
                       std::vector<FitLine>& lines)
 {
@@ -37,7 +37,7 @@ void add_scene_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, cons
     lines.push_back(memory_line("scene   ", flash.scene, flash.room(board.flash)));
 }
 
-/// What the firmware takes beside it.
+/// Adds what the firmware takes besides.
 void add_firmware_memory(const fit::FlashNeed& flash, const fit::RamNeed& ram, const fit::Target& board,
                          std::vector<FitLine>& lines)
 {
@@ -128,7 +128,7 @@ std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& bo
     return lines;
 }
 
-/// Whoever reads the lines waits for is_done_; until then they are the thread's.
+/// Readers of the lines wait for is_done_; until then they are the thread's.
 class FitCheck::Work {
 public:
     Work(std::span<const std::byte> scene, std::vector<std::string> item_names, fit::Target board, Fit fit)

@@ -25,7 +25,7 @@ struct FitLine {
     friend bool operator==(const FitLine&, const FitLine&) = default;
 };
 
-/// Whether it fits what; speed and memory; why it does not fit, and what is worth knowing.
+/// Whether it fits what; speed and memory; why it does not fit, and further notes.
 std::vector<FitLine> fit_lines(const fit::FitReport& report, const fit::Target& board);
 std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& board);
 

@@ -18,7 +18,7 @@ struct ShownDisplay {
     std::optional<BeamProfile> beam = {};   ///< instead of a panel
 };
 
-/// The board that a preview judges by, in the fit report and in the changed areas: `named`, else a Raspberry
+/// The board that a preview uses for the fit report and the changed areas: `named`, otherwise a Raspberry
 /// Pi Pico. Its display is the one that is shown. What is not named of that is as on the board: an ST7789 on
 /// the Pico. If the board's controller does not take the pixels, it is one that does, where one is known.
 /// Throws Failure if the board has a beam and a panel is shown, or the other way round.

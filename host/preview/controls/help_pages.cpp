@@ -9,10 +9,10 @@ namespace kfast {
 namespace {
 
 constexpr int gap = 3;         // between two columns
-constexpr int min_width = 28;  // of one beside another: narrower ones wrap too much to be read
-constexpr int min_to_wrap = 8; // behind the name of a key
+constexpr int min_width = 28;  // of one of several columns: narrower ones wrap too much to be read
+constexpr int min_to_wrap = 8; // after the name of a key
 
-/// A row in lines of at most so many columns.
+/// A row in lines of at most `width` columns.
 std::vector<HelpLine> lines_of(const std::string& row, int width)
 {
     const auto key_end = std::min(row.find(' '), row.size());
@@ -77,7 +77,7 @@ private:
     std::vector<HelpPage> pages_;
 };
 
-/// Of each of so many columns beside each other.
+/// The width of each of `columns` columns beside each other.
 int width_of_each(int columns, int all, int longest)
 {
     return std::min((all - (columns - 1) * gap) / columns, longest);

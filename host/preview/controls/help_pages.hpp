@@ -17,11 +17,11 @@ struct HelpLine {
     int column = 0;
     int row = 0;
     std::string text;
-    int key_columns = 0; ///< at its beginning, the name of a key; 0 where a line goes on
+    int key_columns = 0; ///< the length of the name of a key at its beginning; 0 where a line continues
 };
 
 struct HelpPage {
-    Size cells; ///< that the lines take
+    Size cells; ///< the size of the lines
     std::vector<HelpLine> lines;
 };
 
@@ -29,16 +29,16 @@ struct HelpPage {
 ///
 /// `rows` begin with the name of a key, then at least one space. Long ones are wrapped. No line leaves a grid
 /// of `max` cells, each side of which counts as 1 at least. There is at least one page; of several, each
-/// tells at its end which it is and that `h` turns it.
+/// says at its end which it is and that `h` changes the page.
 std::vector<HelpPage> help_pages(std::span<const std::string> rows, Size max);
 
-/// Which page of the help is seen while it is open, and the key that turns them.
+/// Which page of the help is visible while it is open, and the key that changes it.
 class OpenHelp {
 public:
     /// `rows` are those of help_pages().
     explicit OpenHelp(std::vector<std::string> rows) : rows_{std::move(rows)} {}
 
-    /// The page to be seen on a grid of so many cells.
+    /// The page to be shown on a grid of `max` cells.
     HelpPage page(Size max)
     {
         auto pages = help_pages(rows_, max);
@@ -46,7 +46,7 @@ public:
         seen_ = std::min(seen_, count_ - 1);
         return std::move(pages[seen_]);
     }
-    /// Whether `key` has turned a page of a help that is open, as it was seen last, and means nothing else.
+    /// Whether `key` has changed the page of an open help, as it was seen last, and means nothing else.
     bool turns(PreviewKey key, bool is_open)
     {
         const bool does_turn = is_open && key == PreviewKey::help && seen_ + 1 < count_;

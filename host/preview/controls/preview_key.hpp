@@ -43,7 +43,7 @@ enum class PreviewKey {
     screenshot,
     gif,
     help,
-    leave, ///< the help if it is open, else the preview
+    leave, ///< the help if it is open, otherwise the preview
     quit
 };
 
@@ -56,10 +56,10 @@ enum class PreviewFront {
 /// `name` as in preview_key_help(); "?" is the help, too.
 std::optional<PreviewKey> preview_key(std::string_view name);
 
-/// Whether there is something to see of it there.
+/// Whether the key has a visible effect there.
 bool works_in(PreviewFront front, PreviewKey key);
 
-/// What stands at the edge of a preview while its help is closed.
+/// The text at the edge of a preview while its help is closed.
 inline constexpr std::string_view help_hint = "h: help";
 
 /// One line for each key that works there: its name, spaces, and what it does.

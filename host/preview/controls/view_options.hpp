@@ -20,16 +20,16 @@ struct ViewOptions {
     bool time_line = true;
     int zoom = 0;             ///< window pixels per panel pixel, up to largest_zoom; 0: as large as fits
     bool board_speed = false; ///< play as slowly as the board would
-    /// The place of an item in SceneFile::item_names; none is selected at first.
+    /// The number of an item in SceneFile::item_names; none is selected at first.
     std::optional<std::size_t> selected = {};
-    /// Items whose keys stand on the time line by quantity, in rows of their own: their places, as above.
+    /// Items whose keys are on the time line by quantity, in rows of their own: their numbers, as above.
     std::set<std::size_t> unfolded = {};
 };
 
-/// Turns on or off, or zooms, what `key` means; nothing if it is another key.
+/// Turns on or off, or zooms, what `key` means; does nothing for other keys.
 void press(ViewOptions& view, PreviewKey key);
 
-/// What differs from the beginning, as "  onion skin  no time line  zoom 2"; nothing about what is selected.
+/// What differs from the defaults, as "  onion skin  no time line  zoom 2"; nothing about what is selected.
 std::string in_words(const ViewOptions& view);
 
 }

@@ -73,7 +73,7 @@ constexpr std::array forms{
     Form{"idea", "--line {line} {file}"},
 };
 
-/// Without options, folders and the suffix of a variant of Debian, as in vim.tiny.
+/// The name without options, folders and the suffix of a variant of Debian, as in vim.tiny.
 std::string_view program_of(std::string_view editor)
 {
     const std::size_t begin = std::min(editor.find_first_not_of(' '), editor.size());
@@ -161,7 +161,7 @@ constexpr const char* other_editor = "set KFAST_EDITOR to another one";
 
 std::string in_quotation_marks(const std::string& editor) { return '"' + editor + '"'; }
 
-/// Keys end the program that is started, whether or not this one is spared from them.
+/// Keys end the program that is started, whether or not this one ignores them.
 class EndedByKeys {
 public:
     EndedByKeys()
@@ -199,7 +199,7 @@ pid_t started(const std::string& editor, const TextLine& at)
     return process;
 }
 
-/// How an editor ended that found nothing to do; empty if it went well.
+/// How an editor failed that found nothing to do; empty if it went well.
 std::string failure_of(const std::string& editor, int status)
 {
     constexpr int not_found = 127; // of a shell
@@ -219,7 +219,7 @@ int status_at_end(pid_t process)
     return status;
 }
 
-/// While it lives, keys that end programs are for the editor alone.
+/// While it lives, keys that end programs end only the editor.
 class SparedFromKeys {
 public:
     SparedFromKeys()

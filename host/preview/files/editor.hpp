@@ -19,17 +19,17 @@ struct TextLine {
     friend bool operator==(const TextLine&, const TextLine&) = default;
 };
 
-/// The editor that the user has set: KFAST_EDITOR, else VISUAL, else EDITOR. Throws Failure if none is set.
+/// The editor that the user has set: KFAST_EDITOR, then VISUAL, then EDITOR. Throws Failure if none is set.
 std::string chosen_editor();
 
-/// For a shell: the editor with the file at that line, as far as it is known how that is said to it. `editor`
-/// may have options, and {file} and {line} in it stand for these.
+/// For a shell: the editor with the file at that line, as far as its option for that is known. `editor`
+/// may have options, and {file} and {line} in it are replaced.
 std::string editor_command(std::string_view editor, const TextLine& at);
 
-/// Whether it is known to be one that takes the whole terminal.
+/// Whether it is known to use the whole terminal.
 bool takes_terminal(std::string_view editor);
 
-/// The line of the first mistake in that file that a reading has reported in `messages`, as in
+/// The line of the first mistake in that file that has been reported in `messages`, as in
 /// "lamp.kfast:3:5: error: …".
 std::optional<std::size_t> line_of_mistake(std::span<const std::string> messages,
                                            const std::filesystem::path& file);
@@ -41,7 +41,7 @@ public:
 
     /// Throws Failure, whose text says what would help.
     virtual void open(const TextLine& at) = 0;
-    /// Why an editor that was opened has not come to anything, once; empty if there is nothing to say.
+    /// Returns once why an editor that was opened has failed; empty if there is nothing to report.
     virtual std::string take_failure() { return {}; }
 };
 

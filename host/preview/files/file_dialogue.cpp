@@ -42,7 +42,7 @@ fs::path program_in_path(const char* name)
     return {};
 }
 
-/// With a slash behind, which says that it is a folder.
+/// Adds a slash at the end, which says that it is a folder.
 std::string folder_argument(const fs::path& folder)
 {
     std::error_code unknown;
@@ -71,7 +71,7 @@ constexpr const char* hint = "drop the file here, or give it on the command line
     throw Failure(program.string() + " cannot be started: " + std::strerror(error_number) + ": " + hint);
 }
 
-/// How a dialogue ended in which neither a file was chosen nor none was wanted; empty otherwise.
+/// The failure of a dialogue in which neither a file was chosen nor none was wanted; empty otherwise.
 std::string failure_of(int status)
 {
     constexpr int cancelled = 1; // of zenity and of kdialog
@@ -129,7 +129,7 @@ void FileDialogue::start(const fs::path& program, const fs::path& folder)
     refuse(program, error);
 }
 
-/// Reads what there is on the way.
+/// Reads the available output.
 bool FileDialogue::has_ended()
 {
     constexpr std::size_t longest_path = 65536;

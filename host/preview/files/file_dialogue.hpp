@@ -16,8 +16,8 @@ public:
     /// what would help.
     virtual void ask(const std::filesystem::path& folder) = 0;
     virtual bool is_asking() const = 0;
-    /// The answer, once; nothing while there is none, or if none was chosen. Throws Failure, likewise, if
-    /// asking went wrong.
+    /// The answer, once; none while there is none, or if none was chosen. Throws Failure, whose text says
+    /// what would help, if asking went wrong.
     virtual std::optional<std::filesystem::path> take_answer() = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// Tells when files have changed on disk, replaced ones too. The caller brings the clock, any steady time.
+/// Detects when files have changed on disk, replaced ones too. The caller supplies the time, a steady one.
 class FileWatch {
 public:
     using Seconds = std::chrono::duration<double>;
@@ -15,11 +15,11 @@ public:
     FileWatch() = default;
     explicit FileWatch(const std::vector<std::filesystem::path>& files);
 
-    /// As the file is now is as it is known: to be called before it is read. What is no regular file, a pipe
-    /// for instance, never changes.
+    /// Takes the present state of the file as known: must be called before it is read. What is no regular
+    /// file, a pipe for instance, never changes.
     void add(const std::filesystem::path& file);
 
-    /// Whether a file differs from how it is known; then that is how it is known from now on. Looks four
+    /// Whether a file differs from its known state; then the present state is known from now on. Looks four
     /// times a second at most, and waits until nobody writes any more: longer where a file is gone or empty,
     /// as it is while an editor replaces it.
     bool has_changed(Seconds now);

@@ -11,7 +11,7 @@ namespace kfast {
 /// their frames, as `kfast render --all` and tests/emulation/board_test.py write them. Some may be missing.
 class PanelPictures {
 public:
-    /// Other files are passed over. Throws Failure where there is no such picture, where one cannot be read
+    /// Other files are skipped. Throws Failure where there is no such picture, where one cannot be read
     /// or has another size than `panel`, and where they would take too much memory.
     PanelPictures(const std::filesystem::path& folder, Size panel);
 

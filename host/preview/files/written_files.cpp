@@ -22,7 +22,7 @@ bool is_there(const fs::path& file)
     return fs::exists(fs::symlink_status(file, unknown));
 }
 
-/// Where new files go.
+/// The folder for new files.
 fs::path folder_beside(const fs::path& scene)
 {
     const fs::path folder = scene.parent_path();
@@ -149,7 +149,7 @@ bool GifWriting::go_on(FrameSource& source)
     return true;
 }
 
-/// Each picture is looked at twice: for its colours, and to be written.
+/// Each picture is read twice: for its colours, and to be written.
 int GifWriting::percent() const
 {
     return static_cast<int>(

@@ -15,7 +15,7 @@ namespace kfast {
 
 /// The name of a new file that is made of the scene in `scene`: "eyes" + `suffix` + `extension` beside it,
 /// with
-/// "-2", "-3" ... behind the suffix where there is one already. It is in the current folder if none can be
+/// "-2", "-3" ... after the suffix where there is one already. It is in the current folder if none can be
 /// written there, and begins with "scene" if that is no regular file.
 std::filesystem::path new_output_name(const std::filesystem::path& scene, const std::string& suffix,
                                       const std::string& extension);
@@ -23,13 +23,13 @@ std::filesystem::path new_output_name(const std::filesystem::path& scene, const 
 /// "-0012"
 std::string frame_suffix(int frame);
 
-/// A part of a name as it may stand in that of a file: what would need quotes in a shell is "_".
+/// A part of a name as it may be in that of a file: what would need quotes in a shell is "_".
 std::string plain_name(std::string_view name);
 
-/// The pictures of several moments, drawn one by one and kept.
+/// The pictures at several times, drawn one by one and kept.
 class FrameCollection {
 public:
-    /// All of one collection together; more is not wanted in the memory of a computer that has other things
+    /// The maximum of a collection; more is not acceptable in the memory of a computer that has other things
     /// to do.
     static constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
@@ -44,16 +44,16 @@ public:
         Frame frame;
         std::string facts; ///< FrameSource::facts()
     };
-    /// Null where that moment was not drawn.
+    /// Null where that time was not drawn.
     const Drawn* at(Time moment) const;
 
 private:
     std::vector<Time> moments_;
-    std::vector<Drawn> frames_; ///< of the first moments
+    std::vector<Drawn> frames_; ///< at the first times
 };
 
-/// Writes a GIF without holding up who waits for it: frame by frame it is drawn, and then written by another
-/// thread, from the frames alone. Stopped by its end.
+/// Writes a GIF without blocking the caller: frame by frame it is drawn, and then written by another
+/// thread, from the frames alone. The destructor stops it.
 class GifWriting {
 public:
     GifWriting(std::filesystem::path target, const Timeline& timeline);
@@ -63,8 +63,8 @@ public:
 
     const std::filesystem::path& target() const { return target_; }
     std::size_t frames() const { return frames_.total(); }
-    /// Draws one frame, or waits a little for the other thread. True once the file is written. Throws Failure
-    /// when it cannot be; then there is none.
+    /// Draws one frame, or waits a little for the other thread. Returns true once the file is written. Throws
+    /// Failure when it cannot be; then there is none.
     bool go_on(FrameSource& source);
     int percent() const;
 
@@ -72,7 +72,7 @@ private:
     std::filesystem::path target_;
     Timeline timeline_;
     FrameCollection frames_;
-    std::atomic<std::size_t> written_ = 0; ///< frames that were looked at
+    std::atomic<std::size_t> written_ = 0; ///< frames that were processed
     std::atomic<bool> is_stopped_ = false;
     std::future<void> written_all_;
 };

@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// Lays over `picture` what `neighbour` has painted elsewhere, in the colour `tint`.
+/// Paints over `picture` what `neighbour` has painted elsewhere, in the colour `tint`.
 ///
 /// A pixel of the neighbour counts by how far it differs from the picture and from `background`, whichever is
 /// less: by d, the largest difference of a channel, three times, 255 at most. Each channel p of the picture
@@ -26,14 +26,14 @@ public:
     static constexpr Colour cool{64, 144, 255};
     static constexpr int faintness = 128; ///< of 255
 
-    /// `background` is what the scene lies on. On the screen of a beam that is black anyway.
+    /// `background` is that of the scene. On the screen of a beam that is black anyway.
     explicit OnionSkin(Colour background) : background_{background} {}
 
     /// The picture of `source` at `moment`, which is the last that it shows, between those of `keys`, which
-    /// are in order. Pixels where nothing of the neighbours is seen are exactly as `source` has them. Valid
-    /// until the next call.
+    /// are in order. Pixels where nothing of the neighbours is visible are exactly as `source` has them.
+    /// Valid until the next call.
     const Picture& show(FrameSource& source, Time moment, std::span<const Time> keys);
-    /// The pictures of key frames are not known any more: an input was set, or the source is another.
+    /// Drops the pictures of key frames: an input was set, or the source is another.
     void forget();
 
 private:

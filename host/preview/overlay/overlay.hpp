@@ -8,13 +8,13 @@
 
 namespace kfast {
 
-/// A place on a panel, in its pixels; y points down, and 0.5 is the middle of the first pixel.
+/// A point on a panel, in its pixels; y points down, and 0.5 is the middle of the first pixel.
 struct PanelSpot {
     double x = 0;
     double y = 0;
 };
 
-/// What a mark stands for: whoever draws it chooses its colour by that.
+/// What a mark represents: the colour is chosen by that.
 enum class MarkKind : std::uint8_t {
     bone,
     backbone,

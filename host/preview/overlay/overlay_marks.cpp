@@ -30,7 +30,7 @@ bool LabelPlaces::take(PanelSpot at, const std::string& text)
 
 namespace {
 
-/// Of the points' bounding box.
+/// The middle of the points' bounding box.
 PanelSpot middle_of(const std::vector<PanelSpot>& spots)
 {
     PanelSpot min = spots.front();

@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// Where labels stand on a picture, so that none lies on another.
+/// Where labels are on a picture, so that none overlaps another.
 class LabelPlaces {
 public:
     static constexpr std::size_t max = 400;
@@ -28,11 +28,11 @@ public:
 private:
     double scale_;
     std::size_t count_ = 0;
-    std::set<std::pair<int, int>> cells_; ///< of the size of a letter, that are taken
+    std::set<std::pair<int, int>> cells_; ///< the cells that are taken, of the size of a letter
 };
 
-/// Puts what is seen of a scene into an overlay, leaf by leaf. No more lines and dots than a person could
-/// tell apart: what is beyond is left out.
+/// Adds what is visible of a scene to an overlay, leaf by leaf. No more lines and dots than a person could
+/// tell apart: further ones are left out.
 class OverlayMarks {
 public:
     static constexpr std::size_t max_lines = 20'000;
@@ -43,9 +43,9 @@ public:
     {
     }
 
-    /// The bones or backbones that carry it; a skeleton that carries several leaves in one place once.
+    /// The bones or backbones that deform it; a skeleton that deforms several leaves in one place once.
     void add_bones(const SeenLeaf& leaf);
-    /// Skeletons that carried no leaf yet, as they lie on the canvas.
+    /// Skeletons that have deformed no leaf yet, as they are on the canvas.
     void add_other_bones();
     void add_outline(const SeenLeaf& leaf) { add_outline(seen_strokes(scene_, leaf)); }
     /// The outline, the points and their numbers, the control points and the numbers of strokes. Numbers

@@ -15,7 +15,7 @@
 
 namespace kfast {
 
-/// Makes what is drawn over the pictures of one scene. Its inputs are to be set as those of the FrameSource
+/// Makes what is drawn over the pictures of one scene. Its inputs must be set as those of the FrameSource
 /// that makes the pictures.
 class OverlaySource final : public InputReceiver {
 public:
@@ -23,19 +23,19 @@ public:
     explicit OverlaySource(const Viewport& viewport);
     ~OverlaySource() override;
 
-    /// What `view` asks for, over the picture at a moment of the timeline; of an item that is selected also
-    /// its outline. Labels that would lie on each other are left out: in a window a pixel of the panel is
+    /// The overlay that `view` asks for, over the picture at a time of the timeline; of an item that is
+    /// selected also its outline. Labels that would overlap are left out: in a window a pixel of the panel is
     /// `scale` pixels wide. Valid until the next call.
     ///
     /// Changed areas are what a board would send after the picture that was asked for before, at first after
-    /// the one a frame earlier; they stay when the same moment is asked for again.
+    /// the one a frame earlier; they stay when the same time is asked for again.
     const Overlay& show(Time moment, const ViewOptions& view, double scale = 2);
-    /// The topmost item that paints at a place of the panel, by its place in SceneFile::item_names; a leaf,
+    /// The topmost item that paints at a point of the panel, by its number in SceneFile::item_names; a leaf,
     /// for groups and uses paint nothing themselves. On a beam's screen, the one whose outline is nearest, if
     /// it is near.
     std::optional<std::size_t> item_at(Time moment, PanelSpot spot);
 
-    /// What an item is at a moment, by its place in SceneFile::item_names; of one that there is not nothing.
+    /// The facts of an item at a time, by its number in SceneFile::item_names; none if it does not exist.
     ItemFacts facts(Time moment, std::size_t item);
 
     bool set(std::uint32_t number, const InputContent& content) override;

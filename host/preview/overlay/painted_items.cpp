@@ -28,7 +28,7 @@ bool LayerProbe::covers_any(std::size_t step)
     }
 }
 
-/// The list of chains in the store is changed by going through it, and set up anew here.
+/// The list of chains in the store is changed by walking through it, and set up anew here.
 raster::Band LayerProbe::first_band(raster::OutlineStore& outlines) const
 {
     outlines.rewind(outlines.band_bits());

@@ -10,11 +10,11 @@
 
 namespace kfast {
 
-/// Tells what single layers of a picture cover, whatever lies on them.
+/// Finds what single layers of a picture cover, whatever is above them.
 class LayerProbe {
 public:
-    /// `player` must outlive it. It has computed a picture and draws nothing: what is done here would be in
-    /// its way.
+    /// `player` must outlive it. It has computed a picture and must not draw meanwhile: the calls here would
+    /// disturb it.
     explicit LayerProbe(Player& player) : player_{player} {}
 
     /// How much of a pixel of the panel the step of this number covers: 0 … raster::full_coverage.
@@ -30,14 +30,14 @@ private:
     raster::CoverageSums sums_;
 };
 
-/// Tells which item paints a pixel.
+/// Finds which item paints a pixel.
 class PaintedItems final : public StandalonePlayer {
 public:
     /// `scene`'s bytes must outlive it.
     PaintedItems(const SceneView& scene, Size panel, Fit fit);
 
     /// The path (core/scene/item_view.hpp) of the topmost item that covers at least half of a pixel at a
-    /// moment; if there is none, of the topmost that touches it.
+    /// time; if there is none, of the topmost that touches it.
     std::optional<std::uint32_t> path_at(Time moment, int x, int y);
 
 private:

@@ -13,7 +13,7 @@ namespace kfast {
 
 namespace {
 
-constexpr int field_pixels = 1024; // any number will do: places are finer than pixels
+constexpr int field_pixels = 1024; // any number will do: points are finer than pixels
 
 double pixels(Fixed length) { return static_cast<double>(length.raw()) / Fixed::one; }
 
@@ -62,7 +62,7 @@ void PosedScene::visit(Time moment, const Visit& visit)
 
 namespace {
 
-/// From the coordinates of an object to the panel.
+/// The transformation from the coordinates of an object to the panel.
 class Sightline {
 public:
     Sightline(const Space& space, const Camera& camera) : space_{space}, projection_{space, camera} {}
@@ -77,7 +77,7 @@ private:
     Projection projection_;
 };
 
-/// Along a bone: within 1/65536 px.
+/// The tip along a bone: within 1/65536 px.
 Point tip_of(const BoneView& bone, const PosedBone& live)
 {
     const Fixed length = Fixed::sixteenths(bone.at_rest(BoneQuantity::length)) + live.extension();

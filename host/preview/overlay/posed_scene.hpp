@@ -28,30 +28,30 @@ struct Viewport {
     Size panel;
     Fit fit = Fit::contain;
     bool is_beam = false; ///< the panel is the screen of a vector display
-    /// That sends what has changed to such a panel; none: previewed_board().
+    /// Sends what has changed to such a panel; none: previewed_board().
     std::optional<fit::Target> board = {};
 
-    /// The panel on which the core poses the scene: for a beam one that stands for its field.
+    /// The panel on which the core poses the scene: for a beam one that represents its field.
     Size posed_panel() const;
     Fit posed_fit() const { return is_beam ? Fit::contain : fit; }
     /// From there to where it is seen.
     PanelSpot spot(Point posed) const;
 };
 
-/// An object, a text or a plot as it is seen at a moment. All is valid during the visit alone.
+/// An object, a text or a plot as it is seen at a time. All is valid during the visit alone.
 struct SeenLeaf {
     const ItemView& item;
     const Node& node;   ///< the same
     const Space& space; ///< from its own coordinates to the panel
     const SceneTime& moment;
     std::uint32_t path; ///< core/scene/item_view.hpp
-    /// Its place in SceneFile::item_names, the last one, after those of the groups and uses around it.
+    /// Its number in SceneFile::item_names, the last one, after those of the groups and uses around it.
     std::span<const std::size_t> numbers;
 
     std::size_t number() const { return numbers.back(); }
 };
 
-/// A scene that is posed as a player poses it, to be looked at rather than painted.
+/// A scene that is posed as a player poses it, for inspection rather than for painting.
 class PosedScene : private WordBlock, public SceneState {
 public:
     using Visit = std::function<void(const SeenLeaf&)>;
@@ -60,16 +60,16 @@ public:
     PosedScene(const SceneView& scene, Size panel, Fit fit);
     PosedScene(const PosedScene&) = delete;
 
-    /// Poses the bones and calls visit() for each leaf that is seen at all, in the order of painting. A
-    /// moment outside of the scene is its beginning or its end.
+    /// Poses the bones and calls visit() for each leaf that is visible at all, in the order of painting. A
+    /// time outside of the scene is its beginning or its end.
     void visit(Time moment, const Visit& visit);
 
-    /// Where all clocks stand at a moment, as for a visit. Valid until an input is set.
+    /// The scene time at a time, as for a visit. Valid until an input is set.
     SceneTime at(Time moment);
-    /// Of that place in SceneFile::item_names; nothing if there is none.
+    /// The item of that number in SceneFile::item_names; none if there is none.
     std::optional<ItemView> item(std::size_t number) const;
 
-    /// With the bones as at the last visit, and the backbones of the object that was traced last.
+    /// The panel with the bones as at the last visit, and the backbones of the object that was traced last.
     using SceneState::on_panel;
 
 private:
@@ -93,7 +93,7 @@ struct SeenBackbone {
     std::vector<Point> right;
 };
 
-/// The backbones that carry an object at this moment; none if none do. `scene` visits the leaf just now.
+/// The backbones that deform an object at this time; none if none do. `scene` visits the leaf just now.
 std::vector<SeenBackbone> seen_backbones(const PosedScene& scene, const SeenLeaf& leaf);
 
 }

@@ -13,7 +13,7 @@
 namespace kfast {
 namespace {
 
-/// Keeps what is traced, as it is seen.
+/// Keeps the traced strokes, as they are seen.
 class StrokeList {
 public:
     explicit StrokeList(const Projection* projection) : sight_{projection, 0} {}
@@ -53,12 +53,12 @@ private:
     std::vector<SeenStroke> strokes_;
 };
 
-/// The way on which an object stands at a key of its, if that leads anywhere.
+/// The tween at which an object is at one of its keys, if there is one.
 struct KeyTween {
     Key from;
     std::uint32_t arrival = 0;
     Key to;
-    ProgressXY progress; ///< at one of its ends, but not so that one of the keys would be all
+    ProgressXY progress; ///< at one of its ends, but not so that only one of the keys counts
 };
 
 std::optional<KeyTween> tween_at_key(const ObjectView& object, Time time)
@@ -79,7 +79,7 @@ std::optional<KeyTween> tween_at_key(const ObjectView& object, Time time)
     return before;
 }
 
-/// The strokes of an object on its way from one drawing to another, in pairs also where it stands at a key.
+/// The strokes of an object between one drawing and another, in pairs also where it is at a key.
 class MatchedObject {
 public:
     MatchedObject(const SceneOnPanel& on_panel, const SeenLeaf& leaf, const KeyTween& tween)
@@ -172,7 +172,7 @@ std::vector<SeenStroke> strokes_of(const SceneOnPanel& on_panel, const SeenLeaf&
                                    const TracedObject& object)
 {
     const Projection projection{leaf.space, on_panel.camera};
-    if (leaf.item.object.has_depths) { // points come as they are seen
+    if (leaf.item.object.has_depths) { // points are projected already
         StrokeList strokes{nullptr};
         object.trace(projection, strokes);
         return strokes.take();

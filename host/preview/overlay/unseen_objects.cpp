@@ -18,7 +18,7 @@
 namespace kfast {
 namespace {
 
-/// How far it came at best; the later ones are more.
+/// What it reached at best; the later ones are more.
 enum class Shown : std::uint8_t { never, without_area, painted };
 
 bool is_input_leaf(const ItemView& item)
@@ -86,7 +86,7 @@ private:
     PosedScene posed_;
     StandalonePlayer painted_;
     LayerProbe probe_{painted_.player()};
-    std::map<std::size_t, Shown> shown_; ///< by the place in SceneFile::item_names
+    std::map<std::size_t, Shown> shown_; ///< by the number in SceneFile::item_names
 };
 
 void look_at(Watch& watch, std::span<const Time> moments)
@@ -101,7 +101,7 @@ void look_at(Watch& watch, std::span<const Time> moments)
 std::vector<Time> frames_of(const SceneView& scene)
 {
     Timeline timeline = timeline_of(scene);
-    timeline.stretch.loop = Loop::once; // with the last moment
+    timeline.stretch.loop = Loop::once; // including the last time
     std::vector<Time> moments;
     moments.reserve(static_cast<std::size_t>(timeline.frame_count()));
     for (int frame = 0; frame < timeline.frame_count(); ++frame)
@@ -109,7 +109,7 @@ std::vector<Time> frames_of(const SceneView& scene)
     return moments;
 }
 
-/// From 0 to `end`: evenly spaced ones, those of all keys that go by `driver`, and halfway between them.
+/// Times from 0 to `end`: evenly spaced ones, those of all keys of `driver`, and halfway between them.
 std::vector<Time> sample_moments(const SceneView& scene, Driver driver, Time end)
 {
     constexpr int spaces = 16;
@@ -126,8 +126,8 @@ std::vector<Time> sample_moments(const SceneView& scene, Driver driver, Time end
     return moments;
 }
 
-/// What is to be looked at: moments with the inputs as they usually are, and with one of them at each of its
-/// places.
+/// The samples: times with the inputs at their defaults, and with one of them at each of its
+/// values.
 struct TurnedInput {
     std::uint32_t number = 0;
     Time default_value{};
@@ -136,7 +136,7 @@ struct TurnedInput {
 
 struct Plan {
     std::vector<Time> frames;
-    std::vector<Time> moments; ///< at each place of an input
+    std::vector<Time> moments; ///< at each value of an input
     std::vector<TurnedInput> inputs;
 };
 
@@ -162,7 +162,7 @@ bool takes_long(const SceneView& scene, const Plan& plan)
     return looks * std::max(scene.drawings().size(), min_of_a_frame) > max_bytes;
 }
 
-/// Through the range of a number: it may show what time alone does not.
+/// Goes through the range of a number: it may show what time alone does not.
 void turn(Watch& watch, const TurnedInput& input, std::span<const Time> moments)
 {
     for (const Time place : input.places) {

@@ -7,17 +7,17 @@
 
 namespace kfast {
 
-/// An object that the pictures of a scene show nothing of.
+/// An object that is not visible in any picture of a scene.
 struct UnseenObject {
-    std::size_t number = 0; ///< its place in SceneFile::item_names
+    std::size_t number = 0; ///< its number in SceneFile::item_names
     bool is_hidden = false; ///< or transparent, all the time; else outside of the canvas, or without area
 };
 
-/// Those of a scene on a panel of the size of its canvas, in each frame of it with its inputs as they usually
-/// are; and, with one after the other of them at all of its keys and halfway between them, at the moments of
-/// all keys and halfway between those. What shows a text or a drawing from outside is none, for it may be
-/// told one. Nothing is found where that takes too long: in scenes with more than 5,000 frames, or fewer if
-/// they have many drawings or inputs.
+/// The unseen objects of a scene on a panel of the size of its canvas, in each frame with its inputs at their
+/// defaults; and, with one after the other of them at all of its keys and halfway between them, at the times
+/// of all keys and halfway between those. Objects that show a text or a drawing from outside are not
+/// reported, as it may be set. Nothing is found where that takes too long: in scenes with more than 5,000
+/// frames, or fewer if they have many drawings or inputs.
 std::vector<UnseenObject> unseen_objects(const SceneView& scene);
 
 }

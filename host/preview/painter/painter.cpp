@@ -9,7 +9,7 @@ namespace kfast {
 
 namespace {
 
-/// So many that the way from chord to circle is not seen.
+/// That many that the difference between chord and circle is not visible.
 int sides_of(double radius) { return 12 + static_cast<int>(4 * std::sqrt(radius)); }
 
 /// `begin` and `end` count quarters of a circle, clockwise from the right.
@@ -43,7 +43,7 @@ void draw_disc(Painter& painter, WindowSpot centre, double radius, Colour colour
     painter.polygon(corners, colour);
 }
 
-/// One way around outside, the other way around inside.
+/// One direction around outside, the other one around inside.
 void draw_ring(Painter& painter, WindowSpot centre, double inner, double outer, Colour colour)
 {
     std::vector<WindowSpot> corners;

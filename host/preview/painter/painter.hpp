@@ -20,7 +20,7 @@ constexpr bool contains(const Rect& area, int x, int y)
     return x >= area.x && x < right_of(area) && y >= area.y && y < bottom_of(area);
 }
 
-/// What lies in both; of no size if nothing does.
+/// The intersection of both; of no size if there is none.
 constexpr Rect common(const Rect& a, const Rect& b)
 {
     const int x = std::max(a.x, b.x);
@@ -37,7 +37,7 @@ constexpr Rect inset(const Rect& area, int horizontal, int vertical)
 }
 constexpr Rect inset(const Rect& area, int margin) { return inset(area, margin, margin); }
 
-/// A place in a window, in its pixels; y points down, and 0.5 is the middle of the first pixel.
+/// A point in a window, in its pixels; y points down, and 0.5 is the middle of the first pixel.
 struct WindowSpot {
     double x = 0;
     double y = 0;
@@ -48,11 +48,11 @@ constexpr WindowSpot middle_of(const Rect& area)
     return {area.x + area.width / 2.0, area.y + area.height / 2.0};
 }
 
-/// Draws into a window, one thing above the other. What lies outside is not seen. Colours that are not
-/// opaque let shine through what was drawn before.
+/// Draws into a window, one thing above the other. What is outside is not visible. Colours that are not
+/// opaque are blended over what was drawn before.
 class Painter {
 public:
-    /// Pixels of a character, the space around it included.
+    /// The pixels of a character, including the space around it.
     static constexpr Size letter{7, 16};
 
     virtual ~Painter() = default;
@@ -63,13 +63,13 @@ public:
     virtual void polygon(std::span<const WindowSpot> corners, Colour colour) = 0;
     /// One line of UTF-8 whose left upper corner is there; every code point is as wide as `letter`.
     virtual void text(int x, int y, std::string_view text, Colour colour) = 0;
-    /// Enlarged with hard pixels, shrunk smoothly.
+    /// A picture, enlarged with hard pixels, shrunk smoothly.
     virtual void picture(const Picture& picture, Rect target) = 0;
-    /// What is drawn from now on is seen in `area` only; everywhere if there is none.
+    /// What is drawn from now on is visible in `area` only; everywhere if there is none.
     virtual void clip(std::optional<Rect> area) = 0;
 };
 
-/// While it lives, only what is drawn within an area is seen.
+/// While it lives, only what is drawn within an area is visible.
 class Clipped {
 public:
     Clipped(Painter& painter, Rect area) : painter_{painter} { painter.clip(area); }
@@ -90,7 +90,7 @@ void draw_round_rect(Painter& painter, Rect area, double radius, Colour colour);
 /// One pixel wide, within the area.
 void draw_frame(Painter& painter, Rect area, Colour colour);
 void draw_ring(Painter& painter, WindowSpot centre, double inner, double outer, Colour colour);
-/// What of a square lies outside of the circle in it.
+/// Fills the part of a square that is outside of the circle in it.
 void fill_corners(Painter& painter, Rect square, Colour colour);
 
 }

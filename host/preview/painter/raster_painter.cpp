@@ -136,7 +136,7 @@ std::uint8_t mixed(int below, int above, int share)
     return static_cast<std::uint8_t>((below * (255 - share) + above * share + 127) / 255);
 }
 
-/// `share` of 255 of it is seen.
+/// `share` of 255 of `above` is visible.
 Colour mixed(Colour below, Colour above, int share)
 {
     return {mixed(below.red, above.red, share), mixed(below.green, above.green, share),
@@ -189,7 +189,7 @@ void RasterPainter::polygon(std::span<const WindowSpot> corners, Colour colour)
     });
 }
 
-/// Within its cell: what goes beyond, at most an edge, would touch its neighbour.
+/// Draws only within its cell: what is beyond, at most an edge, would touch its neighbour.
 void RasterPainter::letter(int x, int y, const LetterMask& mask, Colour colour)
 {
     auto share = mask.cover.begin();

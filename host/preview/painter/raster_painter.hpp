@@ -22,7 +22,7 @@ public:
     PolygonRaster(const PolygonRaster&) = delete;
     PolygonRaster& operator=(const PolygonRaster&) = delete;
 
-    /// What it encloses twice is covered, too. Polygons of more than 1000 corners, and what lies 16000 pixels
+    /// What it encloses twice is covered, too. Polygons of more than 1000 corners, and what is 16000 pixels
     /// away, are more than any window shows: they are left out.
     void trace(std::span<const WindowSpot> corners, Rect seen, const Cover& cover) const;
 
@@ -56,7 +56,7 @@ private:
 /// Draws into memory: the same window on every computer, with and without a display.
 class RasterPainter : public Painter {
 public:
-    /// Forgets what was drawn; the sides are at least 1 pixel long.
+    /// Clears what was drawn; the sides are at least 1 pixel long.
     void begin(Size size);
     const Picture& drawn() const { return canvas_; }
 
@@ -68,7 +68,7 @@ public:
     void clip(std::optional<Rect> area) override;
 
 private:
-    /// Pixels of a row, which may lie outside.
+    /// Draws pixels of a row, which may be outside.
     void cover(int x, int y, int width, std::uint8_t share, Colour colour);
     void letter(int x, int y, const LetterMask& mask, Colour colour);
     Colour* row(int y);

@@ -7,18 +7,18 @@
 
 namespace kfast {
 
-/// Where a picture stands in a larger or smaller space so that all of it is seen: centred, magnified by the
+/// Where a picture is in a larger or smaller space so that all of it is visible: centred, magnified by the
 /// largest whole number that fits, or shrunk in proportion.
 Rect placement(Size picture, Size space);
 
-/// A picture laid on a rectangle of a window: enlarged with hard pixels, shrunk to the mean of the pixels
+/// A picture scaled to a rectangle of a window: enlarged with hard pixels, shrunk to the mean of the pixels
 /// that a pixel of the window holds.
 class ScaledPicture {
 public:
     /// `picture` must outlive it. Neither has an empty side.
     ScaledPicture(const Picture& picture, Rect target);
 
-    /// That place of the window lies within the target.
+    /// The position in the window must be within the target.
     Colour at(int x, int y) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace kfast {
 namespace {
 
-/// Bytes of the first columns of a text.
+/// The number of bytes of the first columns of a text.
 std::size_t bytes_of(std::string_view text, int columns)
 {
     std::size_t at = 0;

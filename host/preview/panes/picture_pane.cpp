@@ -120,7 +120,7 @@ void draw_pins(Painter& painter, Rect module, int margin)
                   pitch * 0.28, theme::solder);
 }
 
-/// Below the picture.
+/// Drawn below the picture.
 void draw_module(Painter& painter, Rect glass, int margin)
 {
     const Rect module = grown(glass, margin - 4);
@@ -131,7 +131,7 @@ void draw_module(Painter& painter, Rect glass, int margin)
     draw_round_rect(painter, grown(glass, static_cast<int>(margin * bezel_share)), 3, theme::glass);
 }
 
-/// Above the picture, whose corners it hides.
+/// Drawn above the picture, whose corners it hides.
 void draw_round_edge(Painter& painter, Rect glass)
 {
     fill_corners(painter, glass, theme::backdrop);

@@ -49,7 +49,7 @@ void SidePanel::add_link(std::string text)
     lines_.push_back({.text = std::move(text), .colour = theme::accent, .is_link = true});
 }
 
-/// Where the next line goes.
+/// Draws a line, and returns where the next one goes.
 int SidePanel::draw(Painter& painter, const Line& line, Rect room) const
 {
     const int columns = std::max(1, room.width / letter.width);

@@ -9,19 +9,19 @@
 
 namespace kfast {
 
-/// What the panel at the side of the window tells: headings, lines below them, and values with bars.
+/// The text of the panel at the side of the window: headings, lines below them, and values with bars.
 class SidePanel {
 public:
     void add_heading(std::string text);
     void add(std::string text, Colour colour = theme::text);
-    /// The value stands at the right. A bar is filled from 0 to 1.
+    /// The value is at the right. A bar is filled from 0 to 1.
     void add_value(std::string name, std::string value, bool is_chosen, std::optional<double> bar = {});
 
     /// What a click opens; at most one.
     void add_link(std::string text);
 
-    /// Fills the pane. Long lines are wrapped; where they go beyond the lower end, "…" tells. Where the link
-    /// stands; of no size if it is not seen.
+    /// Fills the pane. Long lines are wrapped; "…" marks lines beyond the lower end. Returns where the link
+    /// is; of no size if it is not visible.
     Rect draw(Painter& painter, Rect pane) const;
 
 private:

@@ -119,7 +119,7 @@ Rect draw_errors(Painter& painter, Rect room, std::span<const std::string> lines
 
 namespace {
 
-/// A plate for a text, which it draws.
+/// A plate for a text, with the text.
 Rect draw_lower_plate(Painter& painter, Rect room, const std::string& text, int extra_height)
 {
     constexpr int padding = 7;

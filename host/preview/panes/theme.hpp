@@ -12,12 +12,12 @@ constexpr Colour faint(Colour colour, std::uint8_t opacity)
     return colour;
 }
 
-inline constexpr Colour backdrop{22, 24, 29}; ///< behind the picture
+inline constexpr Colour backdrop{22, 24, 29}; ///< around the picture
 inline constexpr Colour surface{32, 35, 42};  ///< of panes
 inline constexpr Colour lane{38, 42, 50};     ///< every other row
 inline constexpr Colour selected{48, 64, 88};
 inline constexpr Colour border{52, 57, 67};
-inline constexpr Colour track{55, 60, 71}; ///< of bars, what is left of them
+inline constexpr Colour track{55, 60, 71}; ///< of bars: their empty part
 inline constexpr Colour shade{12, 13, 16, 225};
 
 inline constexpr Colour text{214, 218, 226};

@@ -11,13 +11,13 @@
 namespace kfast {
 namespace {
 
-constexpr int side_margin = 22; // of the moments: room for half a number
+constexpr int side_margin = 22; // of the times: room for half a number
 constexpr int key_reach = 6;    // pixels from its middle
 constexpr int triangle_columns = 2;
 
 int lane_or_none(bool any) { return any ? TimeLine::lane_height : 0; }
 
-/// As wide as the longest name wants, but no more than a third of the pane.
+/// As wide as the longest name, but no more than a third of the pane.
 int names_width(const TimeTable& table, int pane)
 {
     int columns = 7;

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// Where the parts of a time line lie in its pane. Drawing and the mouse go by it alike.
+/// Where the parts of a time line are in its pane. Used for drawing and for the mouse.
 class TimeLine {
 public:
     static constexpr int row_height = 18;
@@ -17,12 +17,12 @@ public:
     static constexpr int ruler_height = 36;
     static constexpr int name_margin = 8; ///< left of the names
 
-    /// What it takes to show all of a table.
+    /// The height for all of a table.
     static int wanted_height(const TimeTable& table);
-    /// Of that, what the rows take that a wheel may as well bring: all but a few.
+    /// The part of it for rows that can be scrolled to instead: all but a few.
     static int spare_height(const TimeTable& table);
 
-    /// `table` must outlive it. `first_row` is the topmost of those seen, as far as there are rows enough
+    /// `table` must outlive it. `first_row` is the topmost of those visible, as far as there are rows enough
     /// below it to fill the pane.
     TimeLine(const TimeTable& table, Rect pane, std::size_t first_row = 0);
 
@@ -32,28 +32,28 @@ public:
     /// No size where there are none, or no room for them.
     Rect clips() const;
     Rect events() const;
-    /// All rows that are seen, with their names.
+    /// All visible rows, with their names.
     Rect rows() const;
-    /// One of the rows seen, from first_row() on.
+    /// One of the visible rows, from first_row() on.
     Rect row(std::size_t number) const;
-    /// The column right of the names, in which moments lie.
+    /// The column right of the names, with the times.
     Rect moments() const;
 
     std::size_t first_row() const { return first_row_; }
-    /// The first that is not seen any more.
+    /// The first row that is not visible any more.
     std::size_t end_row() const;
     /// The highest first_row.
     std::size_t last_first_row() const;
 
-    /// The column of a moment, within moments() for those of the scene.
+    /// The column of a time, within moments() for those of the scene.
     double x_of(Time moment) const;
-    /// The nearest moment of the scene.
+    /// The nearest time of the scene.
     Time time_at(double x) const;
 
     std::optional<std::size_t> row_at(int x, int y) const;
-    /// Where the triangle stands that folds and unfolds a row, left of its name. Only of the rows seen.
+    /// Where the triangle is that folds and unfolds a row, left of its name. Only for the visible rows.
     Rect triangle(std::size_t row) const;
-    /// The moment of a key of that row which is drawn there.
+    /// The time of a key of that row which is drawn there.
     std::optional<Time> key_at(std::size_t row, int x) const;
 
 private:

@@ -18,7 +18,7 @@ constexpr Size letter = Painter::letter;
 constexpr int name_margin = TimeLine::name_margin;
 constexpr double key_radius = 5;
 
-/// In the middle of a line that is `height` pixels high.
+/// The text in the middle of a line that is `height` pixels high.
 int text_y(int y, int height) { return y + (height - letter.height) / 2; }
 
 void draw_text(Painter& painter, int x, int y, int right, std::string_view text, Colour colour)

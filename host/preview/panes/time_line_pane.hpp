@@ -14,7 +14,7 @@ struct TimeLineState {
     Time now;
     std::uint32_t frame_rate = 30000;         ///< frames in 1000 seconds
     std::optional<std::size_t> selected = {}; ///< a TimeRow::item
-    std::string clip = {};                    ///< that plays; empty if it is the whole scene
+    std::string clip = {};                    ///< the one that plays; empty if it is the whole scene
 };
 
 /// Frames between two numbers of the ruler: 1, 2, 5, 10, 20, 50 … so that each has `room` pixels.

@@ -15,7 +15,7 @@
 namespace kfast {
 namespace {
 
-/// Of both axes where they go by one, and of what has none.
+/// For both axes if they have the same law, and for values without laws.
 std::string text_of(const LawPair& laws)
 {
     if (laws.x == laws.y)
@@ -79,7 +79,7 @@ void add_deformers(const SceneView& scene, const ItemView& item, std::vector<Qua
         quantities.push_back(std::move(bones));
 }
 
-/// Makes one of two that are the same.
+/// Joins two that are the same.
 void join_scales(std::vector<Quantity>& quantities)
 {
     const auto x = std::ranges::find(quantities, "scale-x", &Quantity::name);
@@ -91,7 +91,7 @@ void join_scales(std::vector<Quantity>& quantities)
     quantities.erase(y);
 }
 
-/// Which properties are of interest whatever tracks there are, in the order in which they are listed.
+/// Properties that are always listed, whatever tracks there are, in their order.
 constexpr std::array always_listed{Property::x,       Property::y,        Property::scale_x,
                                    Property::scale_y, Property::rotation, Property::opacity};
 
@@ -133,7 +133,7 @@ private:
         return found != nullptr && found->has_timeline();
     }
 
-    /// In the unit of the property, with parts of it.
+    /// In the unit of the property, with its fraction.
     double amount(Property property) const
     {
         const TrackState* const found = track(property);

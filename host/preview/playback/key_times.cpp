@@ -8,7 +8,7 @@
 namespace kfast {
 namespace {
 
-/// Collects the moments of keys that go by one clock.
+/// Collects the times of keys that go by one driver.
 class KeyTimes {
 public:
     explicit KeyTimes(Driver driver) : driver_{driver} {}

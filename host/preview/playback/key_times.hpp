@@ -6,12 +6,12 @@
 
 namespace kfast {
 
-/// Where on `driver` any drawing, track or bone of the scene has a key, in groups and symbols too: in order,
-/// each moment once.
+/// The times on `driver` at which any drawing, track or bone of the scene has a key, in groups and symbols
+/// too: in order, each once.
 std::vector<Time> key_times(const SceneView& scene, Driver driver = {});
-/// Likewise those of `item` itself, and of the bones or backbones that carry it; not of what lies in it.
+/// The same for `item` itself, and for the bones or backbones that deform it; without what is in it.
 std::vector<Time> key_times(const SceneView& scene, const ItemView& item, Driver driver = {});
-/// Of the bones that carry `item`, an object with a skin, alone.
+/// The same only for the bones that deform `item`, an object with a skin.
 std::vector<Time> bone_key_times(const SceneView& scene, const ItemView& item, Driver driver = {});
 
 }

@@ -128,7 +128,7 @@ void PreviewPlayback::play(std::int64_t ticks)
     }
 }
 
-/// As many of `ticks` as the last loop still has, without the end, where the pass after would begin.
+/// The part of `ticks` that the last loop still has, without the end, where the pass after would begin.
 std::int64_t PreviewPlayback::before_the_end(std::int64_t ticks)
 {
     if (!way_left_)
@@ -285,7 +285,7 @@ std::int64_t PreviewPlayback::way_of_a_loop() const
     return std::int64_t{stretch().length().ticks} * Playhead::as_authored * ways;
 }
 
-/// As many whole loops are to go, and of this one what is left from here on.
+/// As many whole loops are left, and of this one what is left from here on.
 void PreviewPlayback::continue_loops(const PreviewPlayback& before)
 {
     if (!way_left_ || !before.way_left_)

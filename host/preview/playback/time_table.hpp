@@ -15,10 +15,10 @@ namespace kfast {
 
 /// One item of the scene on the time line.
 struct TimeRow {
-    std::size_t item = 0;   ///< its place in SceneFile::item_names
+    std::size_t item = 0;   ///< its number in SceneFile::item_names
     std::string name;       ///< as in the scene; of an item without a name "object 3", "group"
     int depth = 0;          ///< groups and uses around it
-    std::vector<Time> keys; ///< of its drawings and tracks, and of the bones and backbones that carry it
+    std::vector<Time> keys; ///< of its drawings and tracks, and of the bones and backbones that deform it
     /// Those of its quantities that have such keys, by name.
     std::vector<std::pair<std::string, std::vector<Time>>> quantities = {};
     bool is_unfolded = false; ///< rows of its quantities follow
@@ -40,16 +40,16 @@ struct TimeTable {
 
     /// Null if there is none, as when nothing is selected.
     const TimeRow* row_of(std::optional<std::size_t> item) const;
-    /// The topmost of that name, or null.
+    /// The topmost row of that name, or null.
     const TimeRow* row_named(std::string_view name) const;
-    /// Of an item and of what lies in it: in order, each moment once. Empty if it has no row.
+    /// The keys of an item and of what is in it: in order, each time once. Empty if it has no row.
     std::vector<Time> keys_of(std::size_t item) const;
 };
 
-/// With a row for each quantity below those of `unfolded`, which are TimeRow::item.
+/// Adds a row for each quantity below those of `unfolded`, which are TimeRow::item.
 TimeTable with_quantities(const TimeTable& table, const std::set<std::size_t>& unfolded);
 
-/// What lies in a symbol follows the topmost use of it. Keys that go by an input are left out.
+/// The contents of a symbol follow the topmost use of it. Keys that go by an input are left out.
 TimeTable time_table(const SceneView& scene, const std::vector<std::string>& item_names);
 
 }

@@ -21,7 +21,7 @@ namespace kfast {
 
 namespace {
 
-/// What is sent for keys that are no letters, the longer first.
+/// The bytes of keys that are no letters, the longer first.
 struct Sent {
     std::string_view bytes;
     std::string_view name;
@@ -34,7 +34,7 @@ constexpr std::array sent{
     Sent{"\n", "enter"},
 };
 
-/// A key by itself; else it begins another one, or says that Alt is held with it.
+/// Whether it is a key by itself; otherwise it begins another one, or means that Alt is held with it.
 bool is_escape(std::string_view bytes)
 {
     const std::string_view behind = bytes.substr(1);
@@ -70,7 +70,7 @@ namespace {
 
 constexpr int within_a_key = 25; // milliseconds: the bytes of one key come together, even over a network
 
-/// Whether there is something to read, within so many milliseconds.
+/// Whether there is something to read, within `milliseconds`.
 bool waits_for_bytes(int milliseconds)
 {
     pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -182,7 +182,7 @@ void BorrowedTerminal::give_back()
     constexpr std::string_view as_usual = "\x1b[0m\x1b[?25h";
     [[maybe_unused]] const ssize_t count = ::write(STDOUT_FILENO, as_usual.data(), as_usual.size());
     keyboard_.give_back();
-    for (const int number : ending_signals) // one that comes while the program is stopped ends it, as ever
+    for (const int number : ending_signals) // one that comes while the program is stopped ends it, as usual
         std::signal(number, SIG_DFL);
     std::signal(SIGTSTP, SIG_DFL);
 }

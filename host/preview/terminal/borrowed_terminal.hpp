@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// The keys that a terminal means by `bytes`; what is none of a preview's keys is passed over. An escape at
+/// The keys that `bytes` of a terminal mean; what is none of a preview's keys is skipped. An escape at
 /// the very end is the key of that name.
 std::vector<PreviewKey> typed_keys(std::string_view bytes);
 
@@ -27,13 +27,13 @@ public:
     Keyboard(const Keyboard&) = delete;
     Keyboard& operator=(const Keyboard&) = delete;
 
-    /// For a time in which the program is stopped: the terminal is as it was.
+    /// Called before the program is stopped: restores the terminal.
     void give_back();
     void take();
 
     /// Whether keys can be pressed.
     bool works() const { return works_; }
-    /// Those pressed since the last call; waits for some, but not longer than `patience`.
+    /// The keys pressed since the last call; waits for some, but not longer than `patience`.
     std::vector<PreviewKey> pressed(PreviewPlayback::Seconds patience);
 
 private:
@@ -54,8 +54,8 @@ public:
 
     /// Whether a signal came that ends the program.
     bool is_to_end() const;
-    /// Stops the program if that was asked for (Ctrl-Z), with the terminal given back, until its shell lets
-    /// it go on. True if it did: what stands on the terminal then is others'.
+    /// Stops the program if that was requested (Ctrl-Z), with the terminal given back, until its shell
+    /// continues it. Returns true if it did: what is on the terminal then belongs to others.
     bool stop_if_asked();
 
     /// Gives it back while `use`, which throws nothing, runs another program in it.
@@ -68,20 +68,20 @@ private:
     Keyboard& keyboard_;
 };
 
-/// How many characters the terminal that standard output is has; 80x24 where it does not say.
+/// The size in characters of the terminal that standard output is; 80x24 where it is not known.
 Size terminal_size();
 
 /// The picture as text, as large as fits the terminal that standard output is with two lines below it.
 std::string terminal_picture(const Picture& picture);
 
-/// Back over so many lines, to draw others in their place. Where the terminal had another size when they were
-/// drawn, they may have been wrapped anew: then it clears all.
+/// The bytes that go back over `lines` lines, to draw others in their place. Where the terminal had another
+/// size when they were drawn, they may have been wrapped anew: then it clears all.
 std::string way_back(std::ptrdiff_t lines, Size before, Size now);
 
 /// Whether standard output is a terminal that pictures can be drawn on one above the other.
 bool can_play_in_terminal();
 
-/// All of `text` to standard output. Throws Failure.
+/// Writes all of `text` to standard output. Throws Failure.
 void write_to_terminal(std::string_view text);
 
 }

@@ -81,7 +81,7 @@ int palette_number(Colour colour)
     return grey_is_nearer ? 232 + step : 16 + 36 * red + 6 * green + blue;
 }
 
-/// Of the 16 colours as xterm has them, the nearest.
+/// The nearest of the 16 colours, as xterm has them.
 int number_of_16(Colour colour)
 {
     constexpr std::array<Colour, 16> known{{{0, 0, 0},
@@ -120,7 +120,7 @@ std::string colour_code(int ground, Colour colour, TerminalColours colours)
     return code + 'm';
 }
 
-/// One ground of a line, which says its colour only where it changes.
+/// The background or foreground of a line, which writes its colour only where it changes.
 class Ground {
 public:
     Ground(int number, TerminalColours colours) : number_{number}, colours_{colours} {}

@@ -15,12 +15,12 @@
 namespace kfast {
 namespace {
 
-constexpr std::string_view end_of_line = "\x1b[K\n"; // and nothing that stood there
+constexpr std::string_view end_of_line = "\x1b[K\n"; // clears the rest of the line
 constexpr std::string_view end_of_all = "\x1b[J";
 constexpr std::string_view on_black = "\x1b[97;40m";
 constexpr std::string_view plain = "\x1b[0m";
 
-/// As much of `text` as goes on a line of a terminal, where some letters take two columns or none.
+/// As much of `text` as fits on a line of a terminal, where some letters take two columns or none.
 std::string line_within(std::string_view text, int columns)
 {
     std::string line;
@@ -82,7 +82,7 @@ std::string picture_lines(const TerminalContent& content, Size space, TerminalCo
                                      : pictures_beside(content, space, colours);
 }
 
-/// Lines of one length, for colours behind them.
+/// Lines of equal length, for colours after them.
 std::vector<std::string> block_of(const HelpPage& page)
 {
     std::vector<std::string> rows(static_cast<std::size_t>(page.cells.height));

@@ -27,8 +27,8 @@ struct TerminalText {
     int lines = 0; ///< that the cursor goes down
 };
 
-/// It for a terminal of `cells` characters, from the beginning of a line: the picture and the lines below it,
-/// at most cells.height - 1 in all where that is 4 or more. What stood there before goes away.
+/// The text for a terminal of `cells` characters, from the beginning of a line: the picture and the lines
+/// below it, at most cells.height - 1 in all where that is 4 or more. What was there before is cleared.
 TerminalText terminal_text(const TerminalContent& content, Size cells, TerminalColours colours);
 
 }

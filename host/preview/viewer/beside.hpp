@@ -17,15 +17,15 @@ struct Beside {
         caption; ///< "board: the same picture", or how many pixels differ from what the panel holds now
 };
 
-/// Nothing where the scene was opened without pictures of another panel.
+/// None where the scene was opened without pictures of another panel.
 std::optional<Beside> beside(Viewer& viewer);
 
 /// Both as one, of the same height, with a gap.
 Picture joined(const Picture& left, const Picture& right);
-/// The first column that the right one begins at, where joined() is shown in `columns` columns.
+/// The first column of the right picture, where joined() is shown in `columns` columns.
 int right_column(const Picture& left, const Picture& right, int columns);
 
-/// In the middle of the lower edge of a pane.
+/// Draws it in the middle of the lower edge of a pane.
 void draw_caption(Painter& painter, Rect pane, const std::string& text);
 
 }

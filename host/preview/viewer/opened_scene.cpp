@@ -168,7 +168,7 @@ ReadScene SceneReader::read(const fs::path& file, FileWatch& tried)
         errors_ = lines_of(failure.what());
         tried = failure.read();
         return {};
-    } catch (const std::exception& failure) { // whatever it is, what is open can go on
+    } catch (const std::exception& failure) { // in any case, the open scene can continue
         errors_ = lines_of(failure.what());
         return {};
     }

@@ -32,39 +32,39 @@ namespace kfast {
 struct OpenedScene {
     std::filesystem::path file;
     SceneFile scene;
-    std::unique_ptr<FrameSource> source; ///< looks into `scene`
-    PlaybackSetup playback_setup;        ///< likewise
+    std::unique_ptr<FrameSource> source; ///< refers to `scene`
+    PlaybackSetup playback_setup;        ///< refers to `scene`
     Size panel;
     Fit fit = Fit::contain;
-    bool is_round = false;       ///< the corners of the panel are not seen
+    bool is_round = false;       ///< the corners of the panel are not visible
     bool is_beam = false;        ///< the screen of a vector display
     std::string panel_name = {}; ///< of its controller; empty if none was named
-    /// That the fit report and the changed areas are about, with the display that is shown; none:
+    /// The board of the fit report and the changed areas, with the display that is shown; none:
     /// previewed_board() of the panel.
     std::optional<fit::Target> board = {};
     FileWatch read = {}; ///< of all files that what is shown depends on, as they were before they were read
     std::shared_ptr<const PanelPictures> beside = {}; ///< shown at the right of this one; or none
-    /// Tells the drawings that were chosen for its inputs, to whoever shows it besides `source`; may be
+    /// Sets the drawings that were chosen for its inputs, in receivers besides `source`; may be
     /// empty.
     std::function<void(InputReceiver&)> apply_drawings = {};
     std::string warnings = {}; ///< what was found, line by line, if it was not printed
-    /// Likewise, of a text that cannot be shown: this is an empty scene in its place.
+    /// The errors of a text that cannot be shown: this is an empty scene in its place.
     std::string mistakes = {};
 };
 
-/// Why a scene was not opened, in a text that has all that was found.
+/// The failure to open a scene, with all that was found in its text.
 class OpeningFailed : public Failure {
 public:
     OpeningFailed(const std::string& text, FileWatch read) : Failure{text}, read_{std::move(read)} {}
 
-    /// Of all files that were looked at, as they were before: a change in one of them may mend it.
+    /// All files that were read, in their state before: a change in one of them may fix it.
     const FileWatch& read() const { return read_; }
 
 private:
     FileWatch read_;
 };
 
-/// Opens a file as the options of the command say. Throws OpeningFailed.
+/// Opens a file with the options of the command. Throws OpeningFailed.
 using Opener = std::function<std::unique_ptr<OpenedScene>(const std::filesystem::path& file)>;
 
 /// What is shown of a scene besides its pictures.
@@ -74,21 +74,21 @@ public:
     explicit SceneLayers(OpenedScene& scene);
 
     const TimeTable& table() const { return table_; }
-    /// With the quantities of what is unfolded. Valid until the next call.
+    /// Includes the quantities of the unfolded items. Valid until the next call.
     const TimeTable& table(const std::set<std::size_t>& unfolded);
-    /// Where `playback` stands, with its inputs; `scale` as in OverlaySource. Valid until the next call.
+    /// At the time of `playback`, with its inputs; `scale` as in OverlaySource. Valid until the next call.
     const Overlay& overlay(const PreviewPlayback& playback, const ViewOptions& view, double scale);
     std::optional<std::size_t> item_at(const PreviewPlayback& playback, PanelSpot spot);
     ItemFacts facts(const PreviewPlayback& playback, std::size_t item);
-    /// With the key frames before and after it within what is played: those of the selected item and of what
-    /// lies in it, or of all. Likewise.
+    /// The picture with the key frames before and after it within what is played: those of the selected item
+    /// and of its contents, or of all. Valid until the next call.
     const Picture& onion_skin(const PreviewPlayback& playback, std::optional<std::size_t> selected);
-    /// What the board takes for the picture of a moment after the one that was asked for before, with the
-    /// inputs of `playback`. Not on a beam.
+    /// The seconds that the board takes for the picture at a time after the one that was asked for before,
+    /// with the inputs of `playback`. Not on a beam.
     double board_seconds(const PreviewPlayback& playback, Time moment);
-    /// Its name.
+    /// The name of the board.
     std::string board_name() const { return board().name; }
-    /// Nothing while it is being made, which the first call begins.
+    /// None while it is being made, which the first call begins.
     std::optional<std::span<const FitLine>> fit_report();
 
 private:
@@ -104,19 +104,19 @@ private:
     OverlaySource overlays_;
     OnionSkin skin_;
     std::vector<InputKnob> skin_inputs_; ///< with which the skin's pictures were made
-    bool skin_reveals_travel_ = false;   ///< likewise
+    bool skin_reveals_travel_ = false;   ///< with which the skin's pictures were made
     std::unique_ptr<FitCheck> fit_;
 };
 
-/// A scene with all that is shown of it. Nothing, if it could not be read.
+/// A scene with all that is shown of it. Empty, if it could not be read.
 struct ReadScene {
     std::unique_ptr<OpenedScene> scene;
-    std::unique_ptr<SceneLayers> layers; ///< look into `scene`
+    std::unique_ptr<SceneLayers> layers; ///< refer to `scene`
 
     explicit operator bool() const { return layers != nullptr; }
 };
 
-/// Reads the scenes of a preview, and tells when one is to be read again because a file has changed on disk.
+/// Reads the scenes of a preview, and reports when one must be read again because a file has changed on disk.
 class SceneReader {
 public:
     using Seconds = FileWatch::Seconds;
@@ -124,18 +124,18 @@ public:
     /// `first` has been opened already; with mistakes it counts as a file that open() failed for.
     SceneReader(Opener opener, const OpenedScene& first);
 
-    /// Another file, or the same. If that fails, changed() names it once it, or what belongs to it, has
+    /// Opens another file, or the same. If that fails, changed() names it once it, or what belongs to it, has
     /// changed.
     ReadScene open(const std::filesystem::path& file);
-    /// The file that was read last. If that fails, changed() names it once more after another change.
+    /// Reads the last file again. If that fails, changed() names it once more after another change.
     ReadScene read_again();
-    /// A file that could not be opened, or the one that was read last, if now is the time to read it.
+    /// The file that could not be opened, or the one that was read last, if it is time to read it.
     std::optional<std::filesystem::path> changed(Seconds now);
 
     const std::filesystem::path& file() const { return file_; }
-    /// The one of the last attempt, which errors() are of.
+    /// The file of the last attempt, which errors() are about.
     const std::filesystem::path& tried() const { return tried_; }
-    /// Of the last attempt, line by line; empty when it went well.
+    /// The errors of the last attempt, line by line; empty when it went well.
     const std::vector<std::string>& errors() const { return errors_; }
 
 private:
@@ -144,7 +144,7 @@ private:
         FileWatch watch;
     };
 
-    /// `tried` becomes what was looked at, if that fails and is known.
+    /// `tried` becomes the files that were read, if that fails and they are known.
     ReadScene read(const std::filesystem::path& file, FileWatch& tried);
 
     Opener opener_;

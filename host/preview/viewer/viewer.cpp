@@ -115,7 +115,7 @@ void Viewer::play_as_board(bool as_board, Seconds now)
     set_pace(now);
 }
 
-/// Of what is played now.
+/// Sets the pace of what is played now.
 void Viewer::set_pace(Seconds now)
 {
     if (!view_.board_speed)

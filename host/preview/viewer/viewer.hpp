@@ -24,14 +24,14 @@
 
 namespace kfast {
 
-/// A preview apart from how it is shown: the scene that is open, where it stands, what is shown of it, and
-/// what went wrong. A window, a terminal and a script of keys drive it alike; the caller brings the clock,
+/// A preview apart from how it is shown: the scene that is open, its playback, what is shown of it, and
+/// what went wrong. A window, a terminal and a script of keys drive it alike; the caller supplies the clock,
 /// any steady time, and calls attend() again and again.
 class Viewer {
 public:
     using Seconds = PreviewPlayback::Seconds;
 
-    /// Plays `scene`; `opener` opens what comes later. With `loops`, quits after so many plays, as
+    /// Plays `scene`; `opener` opens later ones. With `loops`, quits after that many plays, as
     /// PreviewPlayback.
     Viewer(Opener opener, std::unique_ptr<OpenedScene> scene, Seconds now,
            std::optional<int> loops = std::nullopt);
@@ -40,73 +40,73 @@ public:
     /// Without a chooser, PreviewKey::read_file reads the same file afresh.
     void let_choose(std::unique_ptr<FileChooser> chooser) { chooser_ = std::move(chooser); }
 
-    /// Without an editor, PreviewKey::edit only says so.
+    /// Without an editor, PreviewKey::edit only reports that.
     void let_edit(std::unique_ptr<Editor> editor) { editor_ = std::move(editor); }
 
-    /// While it works, any key but stops the work.
+    /// While it works, any key only stops the work.
     void press(PreviewKey key, Seconds now);
-    /// Who hears of the events that are passed, in order.
+    /// The receiver of the events that are passed, in order.
     void set_on_event(PreviewPlayback::OnEvent on_event);
-    /// Another file, or the same afresh: from its beginning, with nothing selected. If that fails, what was
-    /// open goes on, errors() says why, and it is tried again when that file changes.
+    /// Opens another file, or the same afresh: from its beginning, with nothing selected. If that fails, what
+    /// was open continues, errors() says why, and it is tried again when that file changes.
     void open(const std::filesystem::path& file, Seconds now);
-    /// Does what is due: goes on playing and working, takes the file that was chosen, and reads the scene
-    /// again if a file has changed on disk that it depends on, to go on where it stood. True if something
-    /// else than the moment may have changed of what is to be shown.
+    /// Does what is due: continues playing and working, takes the file that was chosen, and reads the scene
+    /// again if a file has changed on disk that it depends on, to continue from the same state. Returns true
+    /// if something besides the time may have changed of what is to be shown.
     bool attend(Seconds now);
-    /// Pauses at this moment: the time line was touched.
+    /// Pauses at this time: the time line was touched.
     void scrub(Time moment);
     void select(std::optional<std::size_t> item);
     /// Folds or unfolds the quantities of an item on the time line.
     void fold(std::size_t item);
-    /// Opens the text of the scene in the editor: where the first mistake is, else where the selected item
-    /// begins, else at its first line.
+    /// Opens the text of the scene in the editor: where the first mistake is, otherwise where the selected
+    /// item begins, otherwise at its first line.
     void edit();
-    /// ViewOptions::board_speed; the notice says so if that cannot be.
+    /// Sets ViewOptions::board_speed; the notice says so if that is not possible.
     void play_as_board(bool as_board, Seconds now);
-    /// ViewOptions::zoom. Closes the help and clears the notice, as keys do.
+    /// Sets ViewOptions::zoom. Closes the help and clears the notice, as keys do.
     void set_zoom(int zoom);
-    /// Ends it whatever it does: the window was closed.
+    /// Ends it in any state: the window was closed.
     void close();
 
-    /// Whether it generates frames or writes a file: then attend() is to be called without waiting.
+    /// Whether it generates frames or writes a file: then attend() must be called without waiting.
     bool is_working() const { return frames_in_work() != nullptr || gif_ != nullptr; }
-    /// How much of that is done, from 0 to 1; nothing if it does not work.
+    /// How much of that is done, from 0 to 1; none if it does not work.
     std::optional<double> progress() const;
     bool wants_to_quit() const { return is_closed_ || playback_->wants_to_quit(); }
 
     const OpenedScene& scene() const { return *shown_.scene; }
     const PreviewPlayback& playback() const { return *playback_; }
     const ViewOptions& view() const { return view_; }
-    /// What the panel holds now. Valid until the next call of a member.
+    /// What the panel shows now. Valid until the next call of a member.
     const Frame& frame();
     /// The picture to show now, with the onion skin if that is wanted. Valid as frame() is.
     const Picture& picture();
-    /// What view() asks for over it, where a pixel of the panel is `scale` pixels of a window wide. Valid as
-    /// frame() is.
+    /// The overlay that view() asks for, where a pixel of the panel is `scale` pixels of a window wide. Valid
+    /// as frame() is.
     const Overlay& overlay(double scale);
     const TimeTable& time_table() const { return shown_.layers->table(); }
     /// The same with rows for the quantities that are unfolded. Valid as frame() is.
     const TimeTable& unfolded_table() { return shown_.layers->table(view_.unfolded); }
-    /// Of the selected item at this moment; nothing if none is selected.
+    /// The facts of the selected item at this time; none if none is selected.
     std::optional<ItemFacts> selected_facts();
-    /// Where it begins in the text, if that is known.
+    /// The line where it begins in the text, if that is known.
     std::optional<TextLine> selected_line() const;
-    /// Nothing while it is being made, or if view() does not ask for it.
+    /// None while it is being made, or if view() does not ask for it.
     std::optional<std::span<const FitLine>> fit_report();
-    /// The topmost item at a place of the panel.
+    /// The topmost item at a point of the panel.
     std::optional<std::size_t> item_at(PanelSpot spot);
 
-    /// Of the last attempt to read a file, line by line; empty when it went well.
+    /// The errors of the last attempt to read a file, line by line; empty when it went well.
     const std::vector<std::string>& errors() const { return reader_.errors(); }
-    /// What was done last and is worth telling: "eyes-0012.png is written".
+    /// A message about what was done last: "eyes-0012.png is written".
     const std::string& notice() const { return notice_; }
-    /// Another one each time that something is shown, the same words again, too.
+    /// A new number each time that something is reported, also for the same text again.
     std::uint64_t notice_number() const { return notice_number_; }
-    /// That of the playback, then "  all frames" while space steps through them, "  selected lamp", and what
+    /// The playback's, then "  all frames" while space steps through them, "  selected lamp", and what
     /// view() shows, "  onion skin  zoom 2".
     std::string status() const;
-    /// As on the time line; "" if nothing is selected.
+    /// The name as on the time line; "" if nothing is selected.
     std::string_view selected_name() const;
 
 private:
@@ -132,7 +132,7 @@ private:
     std::optional<int> loops_;
     PreviewPlayback::OnEvent on_event_;
     ReadScene shown_;
-    std::unique_ptr<PreviewPlayback> playback_; ///< looks into `shown_`
+    std::unique_ptr<PreviewPlayback> playback_; ///< refers to `shown_`
     std::unique_ptr<FileChooser> chooser_;
     std::unique_ptr<Editor> editor_;
     ViewOptions view_;
@@ -142,7 +142,7 @@ private:
     std::string facts_; ///< of the picture that was shown last
     std::string notice_;
     std::uint64_t notice_number_ = 0;
-    bool has_report_ = false; ///< one that is wanted is made, as attend() saw it last
+    bool has_report_ = false; ///< whether one that is wanted is made, as attend() found last
     bool is_closed_ = false;
 };
 

@@ -56,7 +56,7 @@ std::optional<std::size_t> item_beside(std::optional<std::size_t> item, std::ptr
     return table.rows[static_cast<std::size_t>(next)].item;
 }
 
-// What a viewer does with the object that is selected.
+// The functions of a viewer for the object that is selected.
 
 std::string_view Viewer::selected_name() const
 {

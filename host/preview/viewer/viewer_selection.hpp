@@ -10,20 +10,20 @@
 
 namespace kfast {
 
-/// An item as it is known in a scene that was read again: several may have one name.
+/// Identifies an item in a scene that was read again: several may have one name.
 struct ItemName {
     std::string name;           ///< as on the time line
     std::size_t occurrence = 0; ///< among the rows of that name
 };
 
-/// Of the item at that place of SceneFile::item_names; nothing if there is none.
+/// The name of the item of that number in SceneFile::item_names; none if there is none.
 std::optional<ItemName> name_of(std::optional<std::size_t> item, const TimeTable& table);
-/// The other way round.
+/// The number of the item of that name; none if there is none.
 std::optional<std::size_t> item_of(const ItemName& name, const TimeTable& table);
-/// Those of several, without those that there are not.
+/// The names of several items, without those that do not exist.
 std::vector<ItemName> names_of(const std::set<std::size_t>& items, const TimeTable& table);
 std::set<std::size_t> items_of(const std::vector<ItemName>& names, const TimeTable& table);
-/// So many rows further down; past either end there is none, and behind that the other end.
+/// The item `rows` rows further down; past either end there is none, and after that the other end.
 std::optional<std::size_t> item_beside(std::optional<std::size_t> item, std::ptrdiff_t rows,
                                        const TimeTable& table);
 

@@ -1,4 +1,4 @@
-// What a viewer does that takes long: all frames in memory, or in a file.
+// The functions of a viewer that take long: all frames in memory, or in a file.
 
 #include "host/preview/viewer/viewer.hpp"
 
@@ -47,7 +47,7 @@ void Viewer::stop_work()
         all_frames_.reset();
 }
 
-/// Else the notice says why not.
+/// If not, the notice says why.
 bool Viewer::fits_in_memory(std::size_t frames)
 {
     const std::size_t bytes = frame().pixels.size() * frames;

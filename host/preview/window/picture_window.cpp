@@ -37,7 +37,7 @@ Owned<T> owned(T* made)
     return Owned<T>{made};
 }
 
-/// Without a display SDL falls back to drawing where nobody sees it, unless it was told to.
+/// Without a display SDL falls back to invisible drawing, unless it was requested.
 bool is_seen(std::string_view driver)
 {
     const char* wanted = std::getenv("SDL_VIDEODRIVER");
@@ -46,7 +46,7 @@ bool is_seen(std::string_view driver)
 }
 
 /// While it lives, nothing reaches standard error: libraries of displays complain there of what they do not
-/// find, one after another, and what follows from that is said by us.
+/// find, one after another, and the consequence is reported by us.
 class QuietErrors {
 public:
     QuietErrors() : before_{::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)}
@@ -97,7 +97,7 @@ private:
     bool works_;
 };
 
-/// What of a size the screen has room for.
+/// The part of a size that fits on the screen.
 Size on_screen(Size wanted)
 {
     SDL_Rect screen{0, 0, 1024, 768};

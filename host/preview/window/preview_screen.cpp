@@ -27,7 +27,7 @@ Rect above_status(const WindowLayout& layout) { return {0, 0, layout.status.widt
 
 WindowSpot spot_of(const PointerEvent& event) { return {event.x + 0.5, event.y + 0.5}; }
 
-/// The frame of a moment, or the end where that lies between frames.
+/// The frame at a time, or the end where that is between frames.
 Time nearest_frame(Time moment, Time end)
 {
     constexpr std::int32_t frame = Time::ticks_per_frame;
@@ -36,7 +36,7 @@ Time nearest_frame(Time moment, Time end)
 
 }
 
-// Where things are.
+// The layout.
 
 WindowLayout PreviewScreen::layout(Viewer& viewer) const
 {

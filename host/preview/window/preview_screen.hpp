@@ -14,18 +14,18 @@
 
 namespace kfast {
 
-/// What the window of a preview looks like, and what its keys and its mouse do there. It remembers what
-/// belongs to the window alone: where the picture was dragged to, and which rows of the time line are seen.
+/// What the window of a preview looks like, and what its keys and its mouse do there. It keeps what belongs
+/// to the window alone: where the picture was dragged to, and which rows of the time line are visible.
 class PreviewScreen {
 public:
     using Seconds = Viewer::Seconds;
 
     void draw(Painter& painter, Viewer& viewer, Seconds now);
-    /// Keys that zoom do so from what is seen on, and the key of the help turns its pages; the rest is the
+    /// Keys that zoom start from what is visible, and the key of the help changes its pages; the rest is the
     /// viewer's.
     void press(PreviewKey key, Viewer& viewer, Seconds now);
     void touch(const PointerEvent& event, Viewer& viewer, Seconds now);
-    /// Something goes away by itself that the last drawing shows.
+    /// Whether the last drawing shows something that disappears by itself.
     bool is_outdated(Seconds now) const;
 
 private:
@@ -35,7 +35,7 @@ private:
     PicturePlace place(const Viewer& viewer, Rect pane) const;
     TimeLine time_line(Viewer& viewer, Rect pane) const;
 
-    /// The facts of its overlay.
+    /// Returns the facts of its overlay.
     std::string draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const;
     void draw_beside(Painter& painter, Viewer& viewer, const WindowLayout& parts) const;
     void draw_help_and_errors(Painter& painter, const Viewer& viewer, const WindowLayout& parts);

@@ -10,7 +10,7 @@
 namespace kfast {
 namespace {
 
-/// At most three digits behind the point.
+/// With at most three digits after the point.
 std::string number_text(double number)
 {
     char text[32];

@@ -5,8 +5,8 @@
 
 namespace kfast {
 
-/// What the side of the window tells of a scene: its file and display, what is selected, the inputs and, if
-/// it is wanted, the fit report. `scale` is how many pixels of the window a pixel of the panel takes.
+/// The contents of the side of the window: the file and display of a scene, what is selected, the inputs and,
+/// if it is wanted, the fit report. `scale` is how many pixels of the window a pixel of the panel takes.
 SidePanel side_contents(Viewer& viewer, double scale);
 
 }

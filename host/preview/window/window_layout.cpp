@@ -18,7 +18,7 @@ int side_width(Size window, const WindowWishes& wishes)
     return std::min(window.width / 2, std::clamp(window.width * 3 / 10, 200, 340));
 }
 
-/// Of a picture as large as fits, with its margins.
+/// The height of a picture as large as fits, with its margins.
 int picture_height(Size room, const WindowWishes& wishes)
 {
     const int margins = 2 * wishes.picture_margin;

@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-/// Where the parts of a window lie. They do not overlap and cover all of it; a part that is not shown has no
+/// Where the parts of a window are. They do not overlap and cover all of it; a part that is not shown has no
 /// size.
 struct WindowLayout {
     Rect picture;
@@ -14,13 +14,13 @@ struct WindowLayout {
     Rect status;
 };
 
-/// What a window would like to show besides the picture.
+/// What a window should show besides the picture, if there is room.
 struct WindowWishes {
     bool side = false; ///< if there is room beside the picture
     bool side_at_any_width = false;
     bool beside = false;
     int time_line_height = 0;       ///< it gets two fifths of the height at most
-    int spare_time_line_height = 0; ///< of that: what it gives up if the picture is seen larger then
+    int spare_time_line_height = 0; ///< of that: what it gives up if the picture is larger then
     Size panel{1, 1};               ///< whose picture is shown
     int picture_margin = 0;         ///< at each of its sides
 };
