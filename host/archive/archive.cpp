@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Of zlib: its usual window, and the wrapping of gzip.
+/// For zlib: its default window, with the gzip wrapper.
 constexpr int gzip_window = MAX_WBITS + 16;
 
 class Inflation {
@@ -31,7 +31,7 @@ public:
     Inflation(const Inflation&) = delete;
     Inflation& operator=(const Inflation&) = delete;
 
-    /// Of all members, one behind the other.
+    /// Returns the content of all members, one after the other.
     std::string content(std::size_t max_bytes)
     {
         std::string all;
@@ -59,7 +59,7 @@ private:
         }
     }
 
-    /// What is no gzip behind a member is padding.
+    /// What follows a member and is no gzip is padding.
     bool goes_on()
     {
         const std::string_view rest{reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in};

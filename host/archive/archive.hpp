@@ -13,8 +13,8 @@ namespace kfast::archive {
 /// Whether the bytes begin as a gzip file (RFC 1952) does.
 bool is_gzip(std::string_view bytes);
 
-/// What a gzip file holds. Throws Failure, which names the file, when it is damaged, breaks off, or holds
-/// more than `max_bytes`; never uses much more memory than that.
+/// Returns what a gzip file holds. Throws Failure, which names the file, when it is damaged, breaks off, or
+/// holds more than `max_bytes`; never uses much more memory than that.
 std::string gunzipped(const std::string& name, std::string_view bytes, std::size_t max_bytes);
 
 /// Whether the bytes begin as a zip file does.
@@ -32,8 +32,8 @@ public:
     const std::vector<std::string>& members() const { return members_; }
     bool has(std::string_view path) const;
 
-    /// Throws when there is none of that path, it is encrypted, packed in a way that is not known, damaged,
-    /// or larger than `max_bytes`, whatever the file says of its size.
+    /// Throws if no member has that path, or if it is encrypted, compressed in an unknown way, damaged, or
+    /// larger than `max_bytes`, whatever the file says of its size.
     std::string content(std::string_view path, std::size_t max_bytes) const;
 
 private:

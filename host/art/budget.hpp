@@ -4,8 +4,8 @@
 
 namespace kfast::art {
 
-/// What an importer may build: a small file can ask for any amount, by uses of uses. Each throws Failure when
-/// that is exceeded.
+/// Limits what an importer may build: a small file can ask for any amount, by uses of uses. Each throws
+/// Failure when its limit is exceeded.
 class Budget {
 public:
     static constexpr std::size_t max_nodes = 65'535;
@@ -13,7 +13,7 @@ public:
     static constexpr std::size_t max_keys = std::size_t{1} << 20;   ///< of channels
     /// Points of drawings, each time they are computed to find keys.
     static constexpr std::size_t max_computed_points = std::size_t{1} << 27;
-    static constexpr int deepest = 64; ///< groups, layers and uses in each other
+    static constexpr int deepest = 64; ///< nested groups, layers and uses
 
     void take_node();
     void take_points(std::size_t count);

@@ -8,7 +8,7 @@
 
 namespace kfast::art {
 
-/// Something of a file that the scene has not, or not as it was.
+/// Something in a file that the scene does not have, or not unchanged.
 struct Loss {
     std::string feature;        ///< what: "gradient"
     std::string layer;          ///< where: names from the outermost, "body / arm"; empty: the whole file
@@ -17,7 +17,7 @@ struct Loss {
     friend bool operator==(const Loss&, const Loss&) = default;
 };
 
-/// What an importer could not carry over. The same loss is kept once, and at most a thousand of them.
+/// What an importer could not convert. The same loss is kept once, and at most a thousand of them.
 class Losses {
 public:
     static constexpr std::size_t max = 1000;
@@ -25,7 +25,7 @@ public:
     void add(Loss loss);
 
     std::span<const Loss> list() const { return list_; }
-    /// Of those that are not in the list any more.
+    /// The number of those that are no longer in the list.
     std::size_t beyond() const { return beyond_; }
     bool empty() const { return list_.empty(); }
 

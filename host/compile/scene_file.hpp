@@ -30,24 +30,24 @@ struct SceneFile {
     std::size_t warnings = 0;            ///< of the compiler
     art::Losses losses;                  ///< of a file of another program
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; only of a text
-    std::vector<SourceSpan> item_places; ///< likewise, in `text`; of a file of another program none
+    std::vector<SourceSpan> item_places; ///< in the same order, in `text`; none for an imported file
     StoredNames other_names;             ///< of symbols, skeletons and bones; only of a text
     std::string text;                    ///< of a scene text
     std::vector<std::filesystem::path> fonts; ///< files that a text names
 };
 
-/// What becomes of things that a scene cannot have, in a file of another program.
+/// What is done about things in a file of another program that a scene cannot have.
 enum class OnLoss {
-    warn,   ///< a line tells how many they are
-    report, ///< nothing is said: whoever loads the scene tells what they are
-    refuse, ///< Failure, which tells what they are
+    warn,   ///< a line says how many there are
+    report, ///< nothing is printed: the caller reports what they are
+    refuse, ///< Failure, which lists what they are
 };
 
 /// How a file of another program is loaded; scenes of kfast are what they are.
 struct ImportChoice {
     importing::Options options = {};
     OnLoss on_loss = OnLoss::warn;
-    /// The option that was used for `options`, if any was: scenes of kfast are refused, and told so.
+    /// The option that was used for `options`, if any was: scenes of kfast are refused, saying so.
     std::string only_for_imports = {};
 };
 
@@ -58,8 +58,8 @@ struct ImportChoice {
 SceneFile load_scene(const std::filesystem::path& path, const ImportChoice& choice = {},
                      std::ostream& out = std::cerr);
 
-/// The same of what stands in a file, or would stand there: `path` is its name, and fonts lie beside it. What
-/// the compiler finds is told to `reporter`, and only that an import lost something is printed to `out`.
+/// The same for the content of a file, existing or not: `path` is its name, and fonts are beside it. What the
+/// compiler finds is passed to `reporter`, and only that an import lost something is printed to `out`.
 SceneFile scene_of(const std::filesystem::path& path, std::string content, const ImportChoice& choice,
                    const Reporter& reporter, std::ostream& out = std::cerr);
 

@@ -20,7 +20,7 @@ namespace {
 
 /// Where the items of a .kfb come from, in the order in which it stores them, as every_item() reads them.
 struct ItemOrigins {
-    std::vector<std::string> names; ///< of a use without a name that of its symbol
+    std::vector<std::string> names; ///< for a use without a name that of its symbol
     std::vector<SourceSpan> places; ///< in the text
     StoredNames other_names;        ///< of symbols, skeletons and bones
 };

@@ -11,14 +11,14 @@
 
 namespace kfast {
 
-/// What a skeleton and its bones are called, in the order in which the scene stores the bones.
+/// The names of a skeleton and its bones, in the order in which the scene stores the bones.
 struct SkeletonNames {
     std::string name;
     std::vector<std::string> bones;
 };
 
-/// What else a scene stores is called, apart from items, in the order in which it stores them. A .kfb holds
-/// no names: then there are none.
+/// The names of what a scene stores besides items, in the order in which it stores them. A .kfb holds no
+/// names: then there are none.
 struct StoredNames {
     std::vector<std::string> symbols;
     std::vector<SkeletonNames> skeletons;
@@ -28,7 +28,7 @@ struct StoredNames {
 struct CompiledScene {
     std::vector<std::byte> bytes;
     std::vector<std::string> item_names; ///< in the order in which the scene stores items; may be empty
-    std::vector<SourceSpan> item_places; ///< likewise, in the text
+    std::vector<SourceSpan> item_places; ///< in the text, in the same order
     StoredNames other_names;             ///< of symbols, skeletons and bones
 };
 

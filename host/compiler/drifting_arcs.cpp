@@ -21,15 +21,15 @@ using scene::Sector;
 
 constexpr double arc_tolerance = 0.75;   ///< px
 constexpr double advised_drift = 0.5;    ///< px; the rest is for rounding
-constexpr double chord_error = 0.02;     ///< px by which a chord strays from what is drawn
-constexpr std::int32_t max_moments = 16; ///< of a way that are looked at
-constexpr double degrees_apart = 5;      ///< of places on the arc that are looked at
+constexpr double chord_error = 0.02;     ///< px by which a chord differs from what is drawn
+constexpr std::int32_t max_moments = 16; ///< sampled between two keys
+constexpr double degrees_apart = 5;      ///< between sampled points of the arc
 
 double interpolated(double a, double b, double share) { return a + share * (b - a); }
 
 double share_of(Progress progress) { return static_cast<double>(progress.raw) / Progress::one; }
 
-/// As it would be if its angles went evenly.
+/// The sector as it would be if its angles were interpolated.
 Sector interpolated(const Sector& a, const Sector& b, const ProgressXY& progress)
 {
     const double x = share_of(progress.x);
@@ -54,7 +54,7 @@ std::vector<Vec2> arc_spots(const Sector& sector)
     return spots;
 }
 
-/// Of a segment, which is at most a quarter of an ellipse.
+/// The number of chords of a segment, which is at most a quarter of an ellipse.
 std::uint32_t chords_of(double radius)
 {
     return 1 + static_cast<std::uint32_t>(std::numbers::pi / 4 * std::sqrt(radius / chord_error / 2));
@@ -79,7 +79,7 @@ double distance_to(const std::vector<Vec2>& line, Vec2 spot)
     return nearest;
 }
 
-/// How far the places of an arc are from what stands in its stead, in pixels.
+/// How far the points of an arc are from what is drawn instead, in pixels.
 double drift(const Sector& sector, const std::vector<Vec2>& drawn)
 {
     double farthest = 0;
@@ -88,7 +88,7 @@ double drift(const Sector& sector, const std::vector<Vec2>& drawn)
     return farthest;
 }
 
-/// Where an arc is furthest from its circle.
+/// Where an arc is farthest from its circle.
 struct Drift {
     double by = 0; ///< px
     Time time;
@@ -96,7 +96,7 @@ struct Drift {
     double radius = 0; ///< px
 };
 
-/// The moments between two keys that are looked at: whole frames, or evenly over the range of an input.
+/// The sampled times between two keys: whole frames, or evenly over the range of an input.
 std::vector<Time> moments_between(Time from, Time to, bool is_time)
 {
     const std::int32_t unit = is_time ? Time::ticks_per_frame : 1;
@@ -164,8 +164,8 @@ private:
     Drift worst_;
 };
 
-/// Rounded to a power of ten that is a thousandth of its range or less: of 0 to 4095 it is a whole number, of
-/// 0 to 100 one with a digit behind the point.
+/// Rounded to a power of ten that is a thousandth of its range or less: for 0 to 4095 a whole number, for 0
+/// to 100 one with a digit after the point.
 std::string value_text(const scene::Input& input, Time time)
 {
     const double share = static_cast<double>(time.ticks) / whole_input.ticks;

@@ -14,7 +14,7 @@
 namespace kfast {
 namespace {
 
-/// So much that it is hardly ever spent.
+/// So high that it is hardly ever spent.
 constexpr std::uint32_t effort = 20'000'000;
 
 bool is_closed(const scene::Stroke& stroke)
@@ -37,7 +37,7 @@ scene::Stroke reversed(const scene::Stroke& stroke)
     return turned;
 }
 
-/// A closed stroke that begins behind so many of its segments.
+/// A closed stroke that begins after that many of its segments.
 scene::Stroke begun_at(scene::Stroke stroke, std::size_t segments)
 {
     if (segments == 0)
@@ -60,11 +60,11 @@ public:
     }
 
     const BeamLines& lines() const { return lines_; }
-    /// How many segments of a stroke lie before a point of its line.
+    /// How many segments of a stroke are before a point of its line.
     std::size_t segments_before(const BeamLeg& leg) const { return starts_[leg.line][leg.start]; }
 
 private:
-    /// Of an open stroke its ends alone.
+    /// Adds a stroke; of an open one, its ends alone.
     void add(const scene::Stroke& stroke)
     {
         starts_.emplace_back();
@@ -89,7 +89,7 @@ private:
     std::vector<std::vector<std::size_t>> starts_; ///< of each point of each line
 };
 
-/// With the longest travel behind the last one.
+/// The route with the longest travel after the last leg.
 std::vector<BeamLeg> route_of(const BeamLines& lines)
 {
     std::vector<BeamLeg> legs(lines.size());
@@ -113,7 +113,7 @@ bool is_small(const scene::Drawing& drawing)
 }
 
 /// The depths of a wire frame have to stay in step with its strokes, and an order that is short as they are
-/// drawn is not when they are turned.
+/// drawn is not when they are rotated.
 bool never_changes(const scene::Object& object)
 {
     return object.keys.size() == 1 && deformer_of(object) == Deformer::none && !object.has_depths &&

@@ -8,11 +8,11 @@
 namespace kfast {
 
 /// A file that appears whole or not at all: written under a temporary name in the same folder and renamed by
-/// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever
-/// stood at `target` stays as it was. Four at a time, at most.
+/// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever was
+/// at `target` stays as it was. At most four at a time.
 ///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
-/// destructor throws Failure when the disk is full, the place is not writable and so on.
+/// destructor throws Failure when the disk is full, the folder is not writable and so on.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::filesystem::path& target);
@@ -21,12 +21,12 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::span<const std::byte> bytes);
-    /// All has been written: what can still go wrong with that is told. For files that belong together,
-    /// before the first of them is committed.
+    /// All has been written: throws Failure if the last of it cannot be stored. For files that belong
+    /// together, before the first of them is committed.
     void finish();
     void commit();
 
-    /// For a program that writes the file instead; until commit().
+    /// For another program that writes the file; until commit().
     int descriptor() const { return descriptor_; }
 
 private:

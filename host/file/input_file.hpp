@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// Few kinds of files that kfast reads come near it; what is larger was named by mistake.
+/// Few files that kfast reads come near it; a larger one was named by mistake.
 inline constexpr std::size_t input_limit = std::size_t{16} << 20;
 
 /// Much less than of a compiled scene, for a parsed text takes up to 90 times its size in memory.
@@ -17,7 +17,7 @@ inline constexpr std::size_t max_scene_text_bytes = std::size_t{4} << 20;
 struct InputKind {
     std::string_view noun;   ///< "scene"
     std::string_view files;  ///< which files are such: "a .kfast or .kfb file"
-    std::string_view begins; ///< what would stand in it: "a scene begins with …"
+    std::string_view begins; ///< what would be in it: "a scene begins with …"
     std::size_t max_bytes = input_limit;
 };
 

@@ -16,7 +16,7 @@ std::optional<fs::path> executable_file()
     return unknown ? std::nullopt : std::optional{std::move(file)};
 }
 
-/// By its name: ld.so in the tar, else as ld-linux-x86-64.so.2.
+/// Decides by its name: ld.so in the tar, else as ld-linux-x86-64.so.2.
 bool is_loader(const fs::path& file)
 {
     const std::string name = file.filename().string();

@@ -13,7 +13,7 @@
 #include <string_view>
 
 // kfast-first-look SCENE.kfast LOOPS: plays a scene text in the terminal, as `kfast preview --terminal` does,
-// with what is compiled within a minute. Where no terminal is, it prints the first frame.
+// with what is compiled within a minute. Without a terminal, it prints the first frame.
 
 namespace {
 

@@ -26,7 +26,7 @@ Vec2 on_unit_circle(double degrees)
 
 int arc_pieces(double quarters)
 {
-    // A quarter that rounding made a hair too long is still one piece.
+    // A quarter that rounding made slightly too long is still one piece.
     return std::max(1, static_cast<int>(std::ceil(quarters - 1e-9)));
 }
 
@@ -80,7 +80,7 @@ public:
     }
 
 private:
-    /// On the unit circle, with the chord from `half` to -half.
+    /// The centre of the unit circle with the chord from `half` to -half.
     static Vec2 centre_from_chord(Vec2 half, bool clockwise_of_chord)
     {
         const double square = half.x * half.x + half.y * half.y;

@@ -10,11 +10,11 @@ namespace kfast::scene {
 /// Exact at whole quarters of a turn, and symmetrical about them.
 Vec2 on_unit_circle(double degrees);
 
-/// How many cubics an arc of so many quarters of a turn takes: at most a quarter each, and at least one.
+/// How many cubics an arc of that many quarters of a turn takes: at most a quarter each, and at least one.
 int arc_pieces(double quarters);
 
-/// Along the unit circle from `from` to `to`, which both lie on it, `radians` apart: at most a quarter of a
-/// turn, clockwise when positive. Off by at most 0.03 % of the radius.
+/// Along the unit circle from `from` to `to`, both of which lie on it, `radians` apart: at most a quarter of
+/// a turn, clockwise when positive. Off by at most 0.03 % of the radius.
 Curve unit_arc(Vec2 from, Vec2 to, double radians);
 
 /// The arc of SVG's path command A: a piece of an ellipse between two given points.
@@ -30,16 +30,16 @@ struct Arc {
 
 /// Cubics of at most a quarter turn each; the last ends exactly at `to`. By SVG's rules: negative radii count
 /// as positive, radii too small for the distance grow, and a radius of 0 gives a straight line. An arc to its
-/// own start goes nowhere: a line of no length.
+/// own start is a line of length 0.
 std::vector<Curve> curves_of(const Arc& arc);
 
-/// Along the ellipse, open, in cubics of at most a quarter of a turn.
+/// An open outline along the ellipse, in cubics of at most a quarter of a turn.
 Outline arc(const Sector& sector);
 
-/// From the centre to the ellipse, along it, and back to the centre.
+/// An outline from the centre to the ellipse, along it, and back to the centre.
 Outline pie(const Sector& sector);
 
-/// Along the ellipse, and back along the circle of radius `inner` about the same centre.
+/// An outline along the ellipse, and back along the circle of radius `inner` about the same centre.
 Outline ring_piece(const Sector& sector, double inner);
 
 }

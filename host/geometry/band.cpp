@@ -6,7 +6,7 @@
 namespace kfast::scene {
 namespace {
 
-/// Of length 1, to the left of the way from `a` to `b`.
+/// The unit normal to the left of the direction from `a` to `b`.
 Vec2 left_of(Vec2 a, Vec2 b)
 {
     const Vec2 way = b - a;

@@ -41,20 +41,20 @@ struct Segment {
 };
 
 /// Closed when its first and last point coincide. A single point has no segments; no segment has all of its
-/// points in one place.
+/// points coincide.
 struct Stroke {
     Point from;
     std::vector<Segment> segments;
     friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
-/// May be empty: the object is not seen.
+/// May be empty: then the object is not visible.
 struct Drawing {
     std::vector<Stroke> strokes;
     friend bool operator==(const Drawing&, const Drawing&) = default;
 };
 
-/// As the format counts them: one where a stroke begins and one for each of its segments.
+/// Counts as the format does: one where a stroke begins and one for each of its segments.
 inline std::size_t point_count(const Drawing& drawing)
 {
     std::size_t points = drawing.strokes.size();
@@ -63,7 +63,7 @@ inline std::size_t point_count(const Drawing& drawing)
     return points;
 }
 
-/// In a drawing: one where a stroke begins and one for each of its segments.
+/// The limit of a drawing: one where a stroke begins and one for each of its segments.
 inline constexpr std::size_t max_points = kfb::max_drawing_points;
 
 inline std::string too_many_points()

@@ -9,7 +9,7 @@
 
 namespace kfast::scene {
 
-/// A place on the canvas before rounding, in pixels.
+/// A point on the canvas before rounding, in pixels.
 struct Vec2 {
     double x = 0;
     double y = 0;
@@ -24,7 +24,7 @@ constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 // Not std::hypot, which platforms round differently.
 inline double distance(Vec2 a, Vec2 b) { return std::sqrt(dot(b - a, b - a)); }
 
-/// From `spot` to the nearest place between `from` and `to`.
+/// The distance from `spot` to the nearest point between `from` and `to`.
 inline double distance_to_line(Vec2 spot, Vec2 from, Vec2 to)
 {
     const Vec2 along = to - from;
@@ -51,8 +51,8 @@ constexpr Curve quadratic_to(Vec2 from, Vec2 control, Vec2 to)
     return cubic_to(from + 2.0 / 3 * (control - from), to + 2.0 / 3 * (control - to), to);
 }
 
-/// What lies between two directions from the centre of an ellipse whose axes lie along x and y. Degrees, from
-/// three o'clock, clockwise on the screen; where `to` is less than `from` it runs the other way round.
+/// The sector between two directions from the centre of an ellipse whose axes are along x and y. Degrees,
+/// from three o'clock, clockwise on the screen; if `to` is less than `from` it runs in the other direction.
 struct Sector {
     Vec2 centre;
     double radius_x = 0; ///< pixels
@@ -66,15 +66,15 @@ struct Outline {
     Vec2 from;
     std::vector<Curve> curves;
     bool closed = false;               ///< ends where it began, by a line of its own if need be
-    std::optional<Sector> sector = {}; ///< that it goes around, or along
+    std::optional<Sector> sector = {}; ///< that it surrounds, or runs along
 };
 
 bool in_range(Vec2 spot);
 bool in_range(const Curve& curve);
 bool in_range(const Outline& outline);
 
-/// Rounds every point once, to the nearest 1/16 px (halves away from zero). Drops segments that have no
-/// extent after that, down to a single point. Only for outlines that are in_range().
+/// Rounds every point once, to the nearest 1/16 px (halves away from zero). Drops segments without extent
+/// after that, down to a single point. Only for outlines that are in_range().
 Stroke quantized(const Outline& outline);
 
 }

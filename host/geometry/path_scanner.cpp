@@ -34,7 +34,7 @@ std::size_t PathScanner::digits_end(std::size_t offset) const
     return offset;
 }
 
-/// SVG 1.1 allows a point with no digit behind it, SVG 2 does not; it is allowed here.
+/// SVG 1.1 allows a point with no digit after it, SVG 2 does not; it is allowed here.
 std::size_t PathScanner::number_end() const
 {
     std::size_t end = digits_end(offset_ + (sign_at(offset_) ? 1 : 0));

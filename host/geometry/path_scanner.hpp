@@ -20,12 +20,12 @@ public:
     /// White space with at most one comma in it. Returns whether there was a comma.
     bool skip_separator();
 
-    /// Any byte. Only when not at_end().
+    /// Takes any byte. Only when not at_end().
     char take() { return data_[offset_++]; }
-    /// Digits with at most one point, a sign before and an exponent behind. Nothing (and no step ahead) when
-    /// no number begins here or it is too large or too small for a double.
+    /// Takes digits with at most one point, a sign before and an exponent after them. Nothing (and no step
+    /// ahead) when no number begins here or it is too large or too small for a double.
     std::optional<double> number();
-    /// A single 0 or 1, whatever follows it.
+    /// Takes a single 0 or 1, whatever follows it.
     std::optional<bool> flag();
 
 private:

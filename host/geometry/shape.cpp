@@ -94,13 +94,13 @@ Outline regular_polygon(Vec2 centre, int corners, double radius, double rotation
 
 namespace {
 
-/// The way from one spot to the next.
+/// The step from one point to the next.
 struct Step {
     double knots = 0; ///< the distance of its knots
     Vec2 slope;       ///< the mean slope, per knot
 };
 
-/// Square roots alone, for they are the same on every computer.
+/// Uses square roots alone, for they are the same on every computer.
 Step step(Vec2 from, Vec2 to)
 {
     const Vec2 way = to - from;
@@ -111,7 +111,7 @@ Step step(Vec2 from, Vec2 to)
 bool same(Vec2 a, Vec2 b)
 {
     const Vec2 way = b - a;
-    return way.x * way.x + way.y * way.y == 0; // what is too near to have a square has no extent either
+    return way.x * way.x + way.y * way.y == 0; // if the square is 0, so is the extent
 }
 
 std::vector<Vec2> without_repetitions(std::span<const Vec2> spots, bool closed)
@@ -135,13 +135,13 @@ std::vector<Step> steps_through(std::span<const Vec2> spots, bool closed)
     return steps;
 }
 
-/// Of the parabola through three spots, at the one in the middle.
+/// The slope of the parabola through three points, at the middle one.
 Vec2 middle_slope(const Step& before, const Step& after)
 {
     return (1 / (before.knots + after.knots)) * (after.knots * before.slope + before.knots * after.slope);
 }
 
-/// The slope at each spot. The mean slope of a parabola between two spots is the mean of the slopes at both.
+/// The slope at each spot. A parabola's mean slope between two spots is the mean of the slopes at both.
 std::vector<Vec2> slopes_at_spots(std::span<const Step> steps, bool closed)
 {
     std::vector<Vec2> slopes;

@@ -235,7 +235,7 @@ void PathReader::close(const Arguments&)
     end_outline();
 }
 
-/// The first control point of a smooth curve: the last one, mirrored in the current point.
+/// The first control point of a smooth curve: the last one, reflected in the current point.
 Vec2 PathReader::reflected(std::string_view kinds) const
 {
     return kinds.find(last_letter_) == std::string_view::npos ? current_ : 2 * current_ - control_;
@@ -285,7 +285,7 @@ void PathReader::end_outline()
                           "for a dot write \"M x y Z\", else remove the move");
 }
 
-/// Whether there was room for another point.
+/// Counts a point; false if there was no room for it.
 bool PathReader::count_point()
 {
     if (!failed_ && points_left_ == 0)
@@ -301,7 +301,7 @@ std::string PathReader::too_far() const
     return " more than " + std::to_string(std::lround(limit_)) + " px from the origin";
 }
 
-/// From `begin` to where the scanner stands, at least one byte while there is one.
+/// Marks the text from `begin` to the scanner's position, at least one byte while there is one.
 void PathReader::fail(std::size_t begin, std::string message, std::string hint)
 {
     const std::size_t min = begin < data_.size() ? 1 : 0;

@@ -60,7 +60,7 @@ public:
 private:
     struct Step {
         std::size_t vertex;
-        std::size_t edge; ///< to the vertex of the next step; of the last one without a meaning
+        std::size_t edge; ///< to the vertex of the next step; meaningless in the last one
     };
 
     void enter(std::size_t edge)
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    /// Of the part around `vertex`; none if it has been seen.
+    /// Those of the component of `vertex`; none if it has been visited.
     std::vector<std::size_t> odd_vertices_of_part(std::size_t vertex, std::vector<bool>& is_seen) const
     {
         std::vector<std::size_t> odd;
@@ -107,7 +107,7 @@ private:
         return edges_[edge].from == vertex ? edges_[edge].to : edges_[edge].from;
     }
 
-    /// That has not been walked.
+    /// The next edge that has not been walked.
     std::optional<std::size_t> next_edge(std::size_t vertex)
     {
         for (std::size_t& next = next_at_[vertex]; next < edges_at_[vertex].size(); ++next)
@@ -116,7 +116,7 @@ private:
         return std::nullopt;
     }
 
-    /// Along all edges of the part around `start`.
+    /// A closed walk along all edges of the component of `start`.
     std::vector<Step> closed_walk(std::size_t start)
     {
         std::vector<Step> walk;
@@ -156,9 +156,9 @@ private:
     }
 
     std::vector<Edge> edges_;
-    std::size_t drawn_;                              ///< edges; those behind them are added
+    std::size_t drawn_;                              ///< edges; those after them are added
     std::vector<std::vector<std::size_t>> edges_at_; ///< of each vertex
-    std::vector<std::size_t> next_at_;               ///< of these, the first that may not have been walked
+    std::vector<std::size_t> next_at_;               ///< of these, the first that may be unwalked
     std::vector<bool> is_walked_;
 };
 

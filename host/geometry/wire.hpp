@@ -8,14 +8,14 @@
 
 namespace kfast::scene {
 
-/// A place in the space of an item before rounding, in pixels; z points at the viewer.
+/// A point in the space of an item before rounding, in pixels; z points at the viewer.
 struct Vec3 {
     double x = 0;
     double y = 0;
     double z = 0;
 };
 
-/// Straight lines through places, of which there is at least one; closed if the last one is the first.
+/// Straight lines through points, of which there is at least one; closed if the last one is the first.
 using Wire = std::vector<Vec3>;
 
 bool in_range(const Wire& wire);
@@ -27,7 +27,7 @@ struct WireStroke {
 };
 
 /// Rounds every point once, to the nearest 1/16 px (halves away from zero). Segments without extent stay, so
-/// that the points of two wires keep meeting.
+/// that the points of two wires still match.
 WireStroke quantized(const Wire& wire);
 
 /// Two different vertices.
@@ -41,16 +41,16 @@ using Trail = std::vector<std::size_t>;
 
 /// The fewest trails that run along each of `edges` once: of each connected part, one that comes back to its
 /// beginning, or half as many as there are vertices with an odd number of edges. The vertices of all edges
-/// are less than `vertices`. Where edges lead is all that matters: equal ones give equal trails.
+/// are less than `vertices`. Only the connections of edges matter: equal ones give equal trails.
 std::vector<Trail> edge_trails(std::size_t vertices, std::span<const Edge> edges);
 
 /// Corners and the edges between them.
 struct Mesh {
     std::vector<Vec3> vertices;
-    std::vector<Edge> edges; ///< between these; the same one may stand several times
+    std::vector<Edge> edges; ///< between these; the same one may occur several times
 };
 
-/// The twelve edges of a box. `corner` is the one with the least x, y and z.
+/// The twelve edges of a box. `corner` is the one with the smallest x, y and z.
 Mesh cuboid(const Vec3& corner, double width, double height, double depth);
 
 /// All edges, each once, in as few wires as there can be.

@@ -33,7 +33,7 @@ public:
     {
         try {
             outputs_.set(reset | boot, reset | boot);
-        } catch (...) { // whoever has failed to set a line has said so already
+        } catch (...) { // the failure to set a line has been reported already
         }
     }
     OpenLines(const OpenLines&) = delete;

@@ -36,7 +36,7 @@ GpioChip opened(const std::string& path)
     }
 }
 
-/// Those that can be opened. Throws Failure if there is none.
+/// The chips that can be opened. Throws Failure if there is none.
 std::vector<GpioChip> all_chips()
 {
     const std::vector<std::string> paths = chip_paths();
@@ -97,7 +97,7 @@ GpioChip only_chip(const std::string& line)
     return std::move(chips.front());
 }
 
-/// Lines without a name are not meant by "".
+/// The name "" matches no line, not even one without a name.
 std::optional<unsigned> named_offset(const GpioChip& chip, const std::string& line)
 {
     return line.empty() ? std::nullopt : chip.offset_of(line);
@@ -156,7 +156,7 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// The lines that somebody has, as far as the kernel tells.
+/// The lines that are in use, as far as the kernel reports it.
 std::string taken_lines(const FoundLines& found)
 {
     std::string text;

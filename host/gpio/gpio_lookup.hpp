@@ -23,9 +23,9 @@ public:
     std::string name() const;  ///< gpiochip0
     std::string label() const; ///< pinctrl-bcm2711
     unsigned line_count() const;
-    /// Of the line that the kernel calls so.
+    /// The offset of the line that has this name in the kernel.
     std::optional<unsigned> offset_of(const std::string& line) const;
-    /// Who has the line, in the kernel's words; empty: nobody. `offset` is less than line_count().
+    /// Who uses the line, in the kernel's words; empty: nobody. `offset` is less than line_count().
     std::string user_of(unsigned offset) const;
 
     gpiod_chip* get() const { return chip_; }
@@ -40,16 +40,16 @@ struct FoundLines {
     std::vector<unsigned> offsets; ///< in the order of the lines asked for; no two are the same
 };
 
-/// As GpioOutputs has it. Throws Failure.
+/// Finds lines as GpioOutputs does. Throws Failure.
 FoundLines find_lines(const std::string& chip, std::span<const GpioLine> lines);
 
-/// Why a chip cannot be opened: `error` is what errno says.
+/// The failure that a chip cannot be opened; `error` is the errno.
 Failure cannot_open_chip(const std::string& path, int error);
 
-/// Why its lines are not given.
+/// The failure that its lines cannot be requested.
 Failure cannot_have_lines(const FoundLines& found, int error, GpioDrive drive);
 
-/// Why lines that this program has cannot be set.
+/// The failure that lines that this program has cannot be set.
 Failure cannot_set_lines(const std::string& chip, int error);
 
 /// "gpiochip0 (pinctrl-bcm2711)"

@@ -19,8 +19,8 @@ struct GpioLine {
 };
 
 /// Lines of one GPIO chip of a Linux computer, which no other program can have meanwhile. When it ends, they
-/// are free. A driver leaves free lines as they were, as those of Raspberry Pi OS do, or makes inputs of
-/// them, as in other kernels (raspberrypi/linux, pull request 6117).
+/// are free. A driver leaves free lines as they were, as in Raspberry Pi OS, or makes them inputs, as in
+/// other kernels (raspberrypi/linux, pull request 6117).
 ///
 /// Through libgpiod, whichever of its APIs the build has found: 1.6 or 2.
 class GpioOutputs {
@@ -31,15 +31,15 @@ public:
     /// chip that has a line of the first name, or the only chip that there is if it is an offset.
     ///
     /// Throws Failure: with no_device if there is no such chip or line; with no_permission; with refused if
-    /// another program has a line, or the chip cannot drive it so.
+    /// another program has a line, or the chip cannot drive it that way.
     GpioOutputs(const std::string& chip, std::span<const GpioLine> lines,
                 GpioDrive drive = GpioDrive::push_pull);
     ~GpioOutputs();
     GpioOutputs(GpioOutputs&&) noexcept;
     GpioOutputs& operator=(GpioOutputs&&) noexcept;
 
-    /// Bit i of both is for line i: those that `which` has are set to what `levels` has, in one call of the
-    /// kernel where its API has one. Throws Failure with unplugged if the chip is gone.
+    /// Bit i of both is for line i: the lines in `which` are set to their bits of `levels`, in one call of
+    /// the kernel where its API has one. Throws Failure with unplugged if the chip is gone.
     void set(std::uint32_t which, std::uint32_t levels);
 
 private:

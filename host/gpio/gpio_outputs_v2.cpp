@@ -15,7 +15,7 @@ struct Free {
     void operator()(T* thing) const { free(thing); }
 };
 
-/// What libgpiod gives away, or null.
+/// Owns what libgpiod returns, or null.
 template <class T, void (*free)(T*)>
 using Owned = std::unique_ptr<T, Free<T, free>>;
 
@@ -39,7 +39,7 @@ constexpr gpiod_line_value value_of(bool level)
     return level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
 }
 
-/// Null with errno if it cannot be.
+/// Returns null and sets errno if that fails.
 LineRequest request(gpiod_chip* chip, std::span<const unsigned> offsets, std::span<const GpioLine> lines,
                     GpioDrive drive)
 {

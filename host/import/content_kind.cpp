@@ -38,7 +38,7 @@ std::string_view behind_declaration(std::string_view text)
     return behind(text, ">");
 }
 
-/// What comes behind the first thing of a text that is no element; the text itself if that is one.
+/// What follows the first thing in a text that is no element; the text itself if that is one.
 std::string_view behind_prolog(std::string_view text)
 {
     if (text.starts_with("<?"))

@@ -14,8 +14,8 @@ enum class ContentKind : std::uint8_t {
     utf_16, ///< JSON or XML in an encoding that is not read
 };
 
-/// What the first bytes tell, byte order marks and white space aside; nothing of what is none of these, as
-/// texts and compiled scenes of kfast are.
+/// The kind by the first bytes, byte order marks and white space aside; nothing for other content, such as
+/// texts and compiled scenes of kfast.
 std::optional<ContentKind> kind_of(std::string_view content);
 
 /// Whether the content of a file is of a kind that may be imported: no scene text and no compiled scene is.

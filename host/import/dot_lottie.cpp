@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Where animations lie, in version 2 and in version 1.
+/// Where animations are, in version 2 and in version 1.
 constexpr std::array<std::string_view, 2> folders{"a/", "animations/"};
 constexpr std::string_view ending = ".json";
 
@@ -32,7 +32,7 @@ std::string text_of(const Json& value)
     return value.is_string() ? value.get<std::string>() : std::string{};
 }
 
-/// The manifest, or nothing where there is none: the names of the files tell enough then.
+/// The manifest, or nothing where there is none: the names of the files are enough then.
 Json read_manifest(const std::string& name, const archive::ZipFile& file, std::size_t max_bytes)
 {
     if (!file.has("manifest.json"))
@@ -52,7 +52,7 @@ std::string_view animation_of(std::string_view path)
     return "";
 }
 
-/// Those that are there, in the order of the manifest, and behind them what it does not name.
+/// The animations that exist, in the order of the manifest, and after them those that it does not name.
 std::vector<std::string> animations_of(const Json& manifest, const archive::ZipFile& file)
 {
     std::vector<std::string> packed;
@@ -79,7 +79,7 @@ std::string list_of(const std::vector<std::string>& ids)
     return ids.size() > max ? list + ", …" : list;
 }
 
-/// What the manifest begins with, if that is there.
+/// The animation that the manifest begins with, if it exists.
 std::string begun_with(const Json& manifest, const std::vector<std::string>& ids)
 {
     for (const std::string& id : {text_of(member(member(manifest, "initial"), "animation")),
@@ -128,7 +128,7 @@ std::optional<Loop> read_loop(const Json& facts, art::Losses& losses)
     return loop.get<bool>() ? Loop::repeat : Loop::once;
 }
 
-/// "#rrggbb", perhaps with an opacity behind it, which a canvas has not.
+/// "#rrggbb", perhaps followed by an opacity, which a canvas does not have.
 std::optional<art::Rgb> read_background(const Json& facts)
 {
     const std::string text = text_of(member(facts, "background"));

@@ -122,7 +122,7 @@ void fit_canvas(art::Document& document, std::optional<Size> wanted, double shar
 
 double share_within_reach(const art::Document& fitted, const scene_text::Reach& reach, bool is_smaller)
 {
-    // Simplification does the same to art of another size only nearly.
+    // Simplification treats art of another size only nearly the same.
     constexpr double room = 0.999 * scene_text::widest_reach;
     const double share = room / std::max(is_smaller ? reach.left_alone : reach.in_groups, 1.0);
     if (!is_smaller && reach.in_groups <= longest_side) // nothing is cut

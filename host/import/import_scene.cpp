@@ -28,7 +28,7 @@ constexpr const char* known_files =
     throw Failure(name + ": " + reason);
 }
 
-/// What SVG is drawn on, where black is the colour of what has none.
+/// What SVG is drawn on; shapes without a colour are black.
 constexpr Colour paper{255, 255, 255};
 
 std::string unpacked(const std::string& name, std::string content)
@@ -37,7 +37,7 @@ std::string unpacked(const std::string& name, std::string content)
                                      : std::move(content);
 }
 
-/// What lies behind a document that says nothing of it.
+/// Sets the background of a document that does not specify one.
 void put_behind(art::Document& document, Colour colour)
 {
     if (!document.background)
@@ -105,7 +105,7 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
     refuse(source.name, "the text is in UTF-16: save it as UTF-8");
 }
 
-/// As the compiler's messages of limits have it; see docs/scene-language.md, "Limits".
+/// As the compiler's messages about limits put it; see docs/scene-language.md, "Limits".
 bool names_limit(std::string_view message)
 {
     const auto has = [message](std::string_view words) {
@@ -115,7 +115,7 @@ bool names_limit(std::string_view message)
            has("the compiler takes");
 }
 
-/// Tells of a text that is not seen: either a limit of scenes is exceeded, or kfast is wrong.
+/// Reports on a text that the user does not see: either a limit of scenes is exceeded, or kfast is wrong.
 [[noreturn]] void refuse_text(const std::string& name, const std::string& text, const Diagnostic& found)
 {
     std::string line = visible(excerpt(text, found.place).line);
@@ -127,7 +127,7 @@ bool names_limit(std::string_view message)
                      "; this is a mistake in kfast: please report it, with the file");
 }
 
-/// How far the whole has come when it is read, and when its text is written: compiling takes longest.
+/// The overall progress when it is read, and when its text is written: compiling takes longest.
 constexpr std::size_t steps = 1000;
 constexpr std::size_t steps_to_read = 150;
 constexpr std::size_t steps_to_write = 300;
@@ -152,7 +152,7 @@ CompiledScene compiled(const std::string& name, const std::string& text, const P
                                    &Diagnostic::severity));
 }
 
-/// What the art comes to when it is made smaller by `share` for the sake of its coordinates.
+/// The result if the art is scaled by `share` for the sake of its coordinates.
 struct Draft {
     art::Document document;
     art::Losses losses;

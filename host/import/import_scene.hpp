@@ -14,7 +14,7 @@
 
 namespace kfast::importing {
 
-/// Of what is packed, once it is unpacked.
+/// The limit of compressed content once it is unpacked.
 inline constexpr std::size_t max_unpacked_bytes = std::size_t{16} << 20;
 
 struct Imported {
@@ -22,7 +22,7 @@ struct Imported {
     CompiledScene compiled; ///< the text, which compiles without errors and warnings
     Extent extent;
     art::Losses losses;
-    std::vector<std::string> notes; ///< what was taken in one of several ways, and how to have it otherwise
+    std::vector<std::string> notes; ///< what was read in one of several ways, and how to choose another
 };
 
 /// Makes a scene of the content of another program's file: Lottie (JSON, or dotLottie's zip), SVG or Synfig

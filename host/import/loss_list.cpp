@@ -11,7 +11,7 @@
 namespace kfast::importing {
 namespace {
 
-/// Where the same is lost in the same way.
+/// The places where the same is lost in the same way.
 struct Kind {
     const art::Loss* first;
     std::vector<std::string> places; ///< without the whole file

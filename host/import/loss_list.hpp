@@ -15,7 +15,7 @@ enum class ListLength : std::uint8_t {
     whole,
 };
 
-/// Lines for a terminal, without the last line end: what is lost in the same way stands together.
+/// Lines for a terminal, without the last line end: what is lost in the same way is listed together.
 std::string loss_list(const art::Losses& losses, ListLength length);
 
 }

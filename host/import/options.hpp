@@ -14,8 +14,8 @@ namespace kfast::importing {
 /// How files of other programs are made into scenes.
 struct Options {
     double tolerance = art::default_tolerance; ///< canvas pixels, 0 or more
-    std::optional<Size> size;                  ///< the art is scaled so that its canvas just lies within it
-    std::optional<Colour> background;          ///< opaque, of files that say nothing of theirs
+    std::optional<Size> size;                  ///< the art is scaled so that its canvas just fits into it
+    std::optional<Colour> background;          ///< opaque, for files that do not specify one
     std::string animation;                     ///< of a dotLottie file; "": the one that it begins with
     svg::KeyOptions drawings;                  ///< how drawings of SVG become keys
     ProgressCallback on_progress = ignore_progress;

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-/// The data model of KDL 2.0 (https://kdl.dev), with the place of everything in the source text.
+/// The data model of KDL 2.0 (https://kdl.dev), with the location of everything in the source text.
 namespace kfast::kdl {
 
 struct Null {
@@ -26,7 +26,7 @@ struct Value {
     std::optional<std::string> type; ///< the annotation, as in (ms)500
     std::variant<Null, bool, Number, std::string> data;
     SourceSpan place; ///< the whole value with its annotation and quotes
-    /// For strings that stand in the source byte for byte (no escapes, one line): where their first byte is.
+    /// For strings that are in the source byte for byte (no escapes, one line): where their first byte is.
     std::optional<std::size_t> text_offset;
 
     const Number* number() const { return std::get_if<Number>(&data); }

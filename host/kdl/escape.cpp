@@ -74,7 +74,7 @@ bool read_letter_escape(Scanner& scanner, std::size_t begin, std::string& text)
         return true;
     }
     if (scanner.at_end())
-        return false; // that the string is not closed is the better message
+        return false; // the message that the string is not closed is better
     const std::size_t letter = scanner.offset();
     scanner.advance();
     const std::string shown = visible(scanner.since(letter));
@@ -83,7 +83,7 @@ bool read_letter_escape(Scanner& scanner, std::size_t begin, std::string& text)
     return false;
 }
 
-/// Points that may not stand in a quoted string of one line and have no letter of their own.
+/// Code points that are not allowed in a quoted string of one line and have no escape letter of their own.
 bool needs_code(char32_t point) { return is_newline(point) || is_disallowed(point); }
 
 void append_escaped(std::string& into, CodePoint point)

@@ -7,7 +7,7 @@
 
 namespace kfast::kdl {
 
-/// At the \ of an escape in a quoted string: goes over it and appends what it stands for, which is nothing
+/// At the \ of an escape in a quoted string: goes over it and appends what it represents, which is nothing
 /// for escaped white space. An error is reported and false returned; the string can be read on after it.
 bool read_escape(Scanner& scanner, std::string& text);
 

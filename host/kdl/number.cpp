@@ -22,7 +22,7 @@ namespace {
 class Radix {
 public:
     static const Radix& decimal();
-    /// Those that a number names by a prefix: hexadecimal, octal, binary.
+    /// Those that a prefix of a number selects: hexadecimal, octal, binary.
     static std::span<const Radix> prefixed();
 
     std::string_view prefix() const { return prefix_; } ///< "0x"
@@ -142,7 +142,7 @@ bool take(std::string_view& rest, std::string_view expected)
     return true;
 }
 
-/// Takes a sign, if there is one. Whether it was a minus.
+/// Takes a sign, if there is one. Returns whether it was a minus.
 bool take_sign(std::string_view& rest)
 {
     const bool is_negative = take(rest, "-");
@@ -151,8 +151,8 @@ bool take_sign(std::string_view& rest)
     return is_negative;
 }
 
-/// Where the first significant digit stands, as a power of ten; it decides only whether a number that is out
-/// of the range of double is too great or too small.
+/// The position of the first significant digit, as a power of ten; it decides only whether a number that is
+/// out of the range of double is too great or too small.
 double magnitude(const Decimal& decimal)
 {
     const std::string digits = decimal.integer + decimal.fraction;
@@ -186,7 +186,7 @@ Number number_of(const Decimal& decimal)
     return {.canonical = std::move(canonical), .value = value};
 }
 
-/// By what stands behind the digits.
+/// The hint depends on what follows the digits.
 std::string hint_of(std::string_view word)
 {
     std::string_view behind = word;

@@ -15,7 +15,7 @@ struct NumberFault {
 };
 
 /// Reads a decimal, hexadecimal, octal or binary number; the keywords such as #inf are not read here.
-/// Hexadecimal, octal and binary numbers of more than 1000 digits are refused, for turning them into decimal
+/// Hexadecimal, octal and binary numbers of more than 1000 digits are refused, for converting them to decimal
 /// takes time that grows with the square of their length.
 std::variant<Number, NumberFault> number_from(std::string_view word);
 

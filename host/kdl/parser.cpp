@@ -29,7 +29,7 @@ void drop_replaced(std::vector<Property>& properties)
     properties = std::move(kept);
 }
 
-/// Of what begins its line.
+/// The indent at `offset` if that is the first thing in its line.
 std::optional<std::size_t> indent_of(std::string_view text, std::size_t offset)
 {
     const std::size_t begin = text.substr(0, offset).find_last_not_of(" \t") + 1; // npos + 1 is 0
@@ -37,7 +37,7 @@ std::optional<std::size_t> indent_of(std::string_view text, std::size_t offset)
     return begins_line ? std::optional{offset - begin} : std::nullopt;
 }
 
-/// The first of `children` that is indented no deeper than the line of the brace is hardly meant to be one.
+/// The first of `children` that is indented no deeper than the line of the brace is hardly meant as a child.
 std::string hint_of_unclosed(std::string_view text, SourceSpan brace, const std::vector<Node>& children)
 {
     const std::string_view line = line_at(text, brace.offset);
@@ -58,10 +58,10 @@ public:
     Document read_document();
 
 private:
-    /// What of a node has been read so far, for what may follow depends on it.
+    /// What has been read of a node so far, for what may follow depends on it.
     struct Progress {
         bool has_block = false;
-        bool has_any_block = false; ///< even one behind /-
+        bool has_any_block = false; ///< even one after /-
         std::size_t token_end = 0;  ///< of the last name, entry or block
     };
 
@@ -281,7 +281,7 @@ bool Parser::accept_slashdash()
     return true;
 }
 
-/// Goes over a character that can begin nothing, so that reading gets ahead.
+/// Skips a character that can begin nothing, so that reading gets ahead.
 void Parser::report_missing(const std::string& what, const std::string& hint)
 {
     const std::size_t begin = scanner_.offset();

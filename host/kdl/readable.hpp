@@ -8,9 +8,9 @@
 
 namespace kfast::kdl {
 
-/// `nodes` as a person would write them: short nodes on one line, with their children in braces; of others
-/// the children below. Neighbours of one name that is among `crowded` share lines. Texts with line ends stand
-/// between lines of """; they must not hold anything that needs an escape. Places are not looked at.
+/// `nodes` as a person would write them: short nodes on one line, with their children in braces; others have
+/// the children below. Neighbours of one name that is among `crowded` share lines. Texts with line ends are
+/// put between lines of """; they must not hold anything that needs an escape. Locations are ignored.
 std::string readable(std::span<const Node> nodes, std::span<const std::string_view> crowded);
 
 }

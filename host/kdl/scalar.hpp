@@ -16,7 +16,7 @@ bool begins_like_number(std::string_view word);
 /// Whether `text` may be written without quotes.
 bool is_identifier(std::string_view text);
 
-/// Whether a string, a number or a keyword comes next, be it right or wrong.
+/// Whether a string, a number or a keyword comes next, valid or not.
 bool at_scalar(const Scanner& scanner);
 
 /// At a scalar: goes over it and sets the data and the text offset of `value`. Errors are reported, and false

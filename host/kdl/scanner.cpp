@@ -117,7 +117,7 @@ void skip_to_line_end(Scanner& scanner)
         scanner.advance();
 }
 
-/// At /*. Comments nest, so that a stretch with comments can be commented out.
+/// At /*. Comments nest, so that text with comments can be commented out.
 void skip_block_comment(Scanner& scanner)
 {
     const std::size_t begin = scanner.offset();

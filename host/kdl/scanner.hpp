@@ -15,17 +15,17 @@ bool is_space(char32_t point);
 /// CR and LF count one by one here; that CR LF is one new line is up to the reader.
 bool is_newline(char32_t point);
 
-/// May stand nowhere in a document, except U+FEFF as its very first code point.
+/// Allowed nowhere in a document, except U+FEFF as its very first code point.
 bool is_disallowed(char32_t point);
 
-/// May stand in a string without quotes. Other rules limit how such a string begins. Says nothing about
-/// disallowed code points: they are errors of their own, wherever they stand.
+/// Allowed in a string without quotes. Other rules limit how such a string begins. Says nothing about
+/// disallowed code points: they are errors of their own, wherever they are.
 bool is_identifier_character(char32_t point);
 
 /// Walks through a text of valid UTF-8 and reports what is wrong with it.
 ///
 /// After an error the rest of the node follows from guesses. The scanner therefore falls silent with each
-/// error until silence(false) says that firm ground is reached.
+/// error until silence(false) says that parsing is in step again.
 class Scanner {
 public:
     /// What peek() answers at the end; no code point has this value.
@@ -82,7 +82,7 @@ void skip_spaces(Scanner& scanner);
 
 /// Reports what no document may hold: bytes that are not UTF-8, and disallowed code points.
 ///
-/// Of the former only the first, and false: the text cannot be parsed. Goes over no text, except over a byte
+/// Of the former only the first, and then returns false: the text cannot be parsed. Skips no text but a byte
 /// order mark at the beginning.
 bool check_encoding(Scanner& scanner);
 

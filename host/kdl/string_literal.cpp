@@ -17,7 +17,7 @@ namespace {
 struct TextLine {
     std::size_t offset = 0; ///< where it begins in the source
     std::string text = {};
-    std::size_t indent = 0; ///< how much of `text` are spaces at its beginning that are no escapes
+    std::size_t indent = 0; ///< how many spaces `text` begins with that are no escapes
 
     bool is_blank() const { return indent == text.size(); }
 };

@@ -52,7 +52,7 @@ std::optional<art::Rgb> background_of(const art::Node& node, const art::Document
     return shape.fill->colour.value();
 }
 
-/// What lies lowest, is of one colour, covers the canvas and never changes is the background instead.
+/// A lowest node of one colour that covers the canvas and never changes becomes the background instead.
 void lift_background(art::Document& document)
 {
     if (document.nodes.empty())
@@ -64,7 +64,7 @@ void lift_background(art::Document& document)
 
 constexpr double nearly = 0.01;
 
-/// Of what always has the same value; nothing of others.
+/// The value of what never changes; nothing for others.
 std::optional<double> still(const Json& ks, const char* name, std::size_t index, double default_value,
                             Animation& animation)
 {
@@ -96,7 +96,7 @@ bool looks_straight(const Json& camera, double distance, Animation& animation)
 }
 
 /// The distance of the viewer, in pixels, by the camera of the file if there is one: it has to look straight
-/// at the middle of the canvas and stay there. Of others there is a loss, and their distance alone.
+/// at the middle of the canvas and stay there. For others there is a loss, and only their distance is used.
 std::optional<double> read_camera(Animation& animation)
 {
     const Json& layers = array_at(animation.root, "layers");

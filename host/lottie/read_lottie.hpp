@@ -7,7 +7,7 @@
 namespace kfast::lottie {
 
 /// Reads an animation of Lottie. What the scene will not have is added to `losses`. Throws Failure, which
-/// names the file and the place, when the text is none, or asks for more than art::Budget allows.
+/// names the file and the location, when the text is not Lottie, or asks for more than art::Budget allows.
 art::Document read_lottie(const SourceText& source, art::Losses& losses);
 
 }

@@ -67,7 +67,7 @@ std::variant<ReceivedDrawing, std::string> read_drawing(std::string_view text)
 
 namespace {
 
-/// As they go over the wire: strokes one after another, the pen lifted between them.
+/// The points as they are sent: strokes one after another, the pen lifted between them.
 std::vector<InputPoint> wire_points(const ReceivedDrawing& drawing)
 {
     std::vector<InputPoint> points;
@@ -90,7 +90,7 @@ std::vector<link::Report> drawing_reports(const ReceivedDrawing& drawing, std::u
     std::span<const InputPoint> left = points;
     for (; left.size() > link::Drawing::max; left = left.subspan(link::Points::max)) {
         link::Points part{.which = which.code(), .part = static_cast<std::uint8_t>(reports.size())};
-        static_assert(link::Points::max == link::Drawing::max + 1); // so all that is left fills it
+        static_assert(link::Points::max == link::Drawing::max + 1); // so all that remains fits into it
         std::ranges::copy(left.first(link::Points::max), part.points.begin());
         reports.push_back(link::report_of(part, tag));
     }

@@ -11,7 +11,7 @@
 
 namespace kfast {
 
-/// A live drawing as it comes: its strokes.
+/// A live drawing as it is received: its strokes.
 using ReceivedDrawing = std::vector<std::vector<InputPoint>>;
 
 /// Its strokes, as a player takes them; they live as long as the drawing.
@@ -33,12 +33,12 @@ inline ReceivedDrawing received_drawing(const InputDrawing& drawing)
 
 /// What `text` says, as in "10,20 30,40 / 50,60 70,80": points in pixels with blanks or new lines between
 /// them, and a / between strokes. Nothing but blanks is the empty drawing. Points are rounded to 1/16 px,
-/// halves away from zero. In place of a drawing, what is wrong with the text.
+/// halves away from zero. If the text is invalid, what is wrong with it instead.
 std::variant<ReceivedDrawing, std::string> read_drawing(std::string_view text);
 
-/// The reports that tell a device a live drawing, in their order (docs/link.md, "Live drawings"). `number`
-/// tells it from the ones before, modulo 8: one more for each drawing of this input. With the tag 0 nothing
-/// answers them but errors.
+/// The reports that send a live drawing to a device, in their order (docs/link.md, "Live drawings"). `number`
+/// distinguishes it from the ones before, modulo 8: one more for each drawing of this input. With the tag 0
+/// nothing answers them but errors.
 std::vector<link::Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input,
                                           std::uint8_t number, std::uint8_t tag = 0);
 

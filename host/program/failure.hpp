@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// What kfast ends with. The numbers stay what they are: scripts go by them.
+/// The exit status of kfast. The numbers never change: scripts rely on them.
 enum class ExitStatus : int {
     done = 0,
     wrong_input = 1,
@@ -29,7 +29,7 @@ struct ExitMeaning {
     const char* meaning;
 };
 
-/// Of each status, as the help and docs/devices.md tell it.
+/// The meaning of each status, as the help and docs/devices.md have it.
 inline constexpr std::array exit_meanings{
     ExitMeaning{ExitStatus::done, "done"},
     ExitMeaning{ExitStatus::wrong_input, "the input is wrong, or a file cannot be read or written"},
@@ -46,7 +46,7 @@ inline constexpr std::array exit_meanings{
     ExitMeaning{ExitStatus::interrupted, "interrupted by Ctrl-C"},
 };
 
-/// Something cannot be done, mostly because the input is wrong, or a file cannot be read or written: kfast
+/// Something cannot be done, mostly because the input is invalid, or a file cannot be read or written: kfast
 /// prints the text and ends with the status. The text names the file or the device, says what is wrong and
 /// what would help.
 class Failure : public std::runtime_error {
@@ -62,7 +62,7 @@ private:
     ExitStatus status_;
 };
 
-/// What helps where Error::too_slow is told.
+/// The hint where Error::too_slow is reported.
 inline constexpr std::string_view slow_scene_hint =
     "show less at once, use symbols less often, or draw with fewer points";
 

@@ -27,7 +27,7 @@ void set_handler(void (*handler)(int))
         if (action.sa_handler == SIG_IGN)
             continue;
         action = {};
-        action.sa_handler = handler; // without SA_RESTART: what waits is to notice
+        action.sa_handler = handler; // without SA_RESTART: a waiting call is to notice
         ::sigaction(number, &action, nullptr);
     }
 }

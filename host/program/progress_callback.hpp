@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// Told again and again how many of so many steps of something long are done.
+/// Called repeatedly with how many of all steps of a long operation are done.
 using ProgressCallback = std::function<void(std::size_t done, std::size_t total)>;
 
 inline void ignore_progress(std::size_t /*done*/, std::size_t /*total*/) {}

@@ -7,11 +7,11 @@
 
 namespace kfast::scene {
 
-/// All that a scene may be written with, out of the very tables that its readers go by.
+/// All that a scene may be written with, from the same tables that its readers use.
 struct LanguageSchema {
     std::vector<std::string_view> outermost; ///< ids of the nodes on the outermost level
     std::vector<schema::NodeSchema> nodes;
-    std::vector<schema::PropertySchema> quantities; ///< what a `track` may move
+    std::vector<schema::PropertySchema> quantities; ///< what a `track` may animate
     std::vector<std::string_view> laws;             ///< as they are written: "hold", "steps(n)"
     std::vector<std::string_view> colours;          ///< that are known without a palette
     std::vector<std::string_view> fonts;            ///< that are part of the program

@@ -22,10 +22,10 @@
 /// A scene as it is written, with every number already rounded to what the binary stores.
 namespace kfast::scene {
 
-/// Which points of a drawing meet which of the next, where their numbers differ.
+/// Which points of a drawing match which of the next, if their numbers differ.
 enum class Match : std::uint8_t {
     count,  ///< added points are spread evenly over the segments (core/pose/equalize.hpp)
-    length, ///< added points are placed by arc length, closed strokes begin where it fits best
+    length, ///< added points are placed by arc length, closed strokes begin where they fit best
 };
 
 /// A stroke of a drawing that is written as an arc or a pie.
@@ -34,20 +34,20 @@ struct SectorStroke {
     Sector sector;
 };
 
-/// A drawing at a moment; laws and match govern the way to the next key.
+/// A drawing at a time; laws and match govern the transition to the next key.
 struct Key {
     Time time;
     LawPair laws;
     Match match = Match::count;
     Drawing drawing;
-    /// Of a wire frame, whose segments are lines: built as `drawing`, x being the depths of its points,
+    /// For a wire frame, whose segments are lines: structured as `drawing`, x being the depths of its points,
     /// towards the viewer, and y 0. Else empty.
     Drawing depths = {};
     SourceSpan place;
     std::vector<SectorStroke> sectors = {}; ///< of the drawing; only for warnings
 };
 
-/// A value at a moment, in the unit of its property; the laws govern the way to the next key.
+/// A value at a time, in the unit of its property; the laws govern the transition to the next key.
 struct TrackKey {
     Time time;
     LawPair laws;
@@ -56,7 +56,7 @@ struct TrackKey {
 };
 
 /// One quantity of an item over time, or by an input; holds its first value before the first key and its last
-/// one behind the last. Has at least one key, and the times of its keys rise.
+/// one after the last. Has at least one key, and the times of its keys rise.
 struct Track {
     Property property = Property::x;
     std::vector<TrackKey> keys;
@@ -67,20 +67,20 @@ struct Track {
 /// What an item with a track of Property::along follows: its pivot moves on the stroke.
 struct Path {
     Stroke stroke;      ///< has an extent
-    bool turns = false; ///< the item turns as the stroke does
+    bool turns = false; ///< the item rotates with the stroke
 };
 
-/// A bone as set up and what moves it, in the frame of its parent: the origin at the parent's origin, x along
-/// the parent. The frame of a root is the canvas.
+/// A bone as set up and what animates it, in the frame of its parent: the origin at the parent's origin, x
+/// along the parent. The frame of a root is the canvas.
 struct Bone {
     std::string name;
     std::optional<std::size_t> parent; ///< index of an earlier bone
-    /// By BoneQuantity, in its units; the length is at least 1.
+    /// Indexed by BoneQuantity, in its units; the length is at least 1.
     std::array<std::int32_t, bone_quantity_count> set_up = {};
-    /// Of each quantity; none where it stays as set up. Times rise.
+    /// For each quantity; none where it stays as set up. Times rise.
     std::array<std::vector<TrackKey>, bone_quantity_count> keys = {};
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
-    bool turns_as_written = false; ///< angles tween as numbers, instead of by the shortest way
+    bool turns_as_written = false; ///< angles tween as numbers, instead of the shorter way round
     Driver driver = {};            ///< of all its keys
     SourceSpan place = {};
 };
@@ -102,17 +102,17 @@ struct BoneWeight {
 /// One to four bones, their weights adding up to 256; the heaviest first.
 using Binding = std::vector<BoneWeight>;
 
-/// What bones carry an object.
+/// Which bones deform an object.
 struct Skin {
     std::size_t bones = 0; ///< index into Scene::bones
     /// For each point of the object's first drawing that is not empty (each stroke's first point and the ends
     /// of its segments).
     std::vector<Binding> bindings;
     SourceSpan place;
-    bool turns_changes = false; ///< what the drawings change turns and grows with the bones
+    bool turns_changes = false; ///< the changes of the drawings rotate and scale with the bones
 };
 
-/// A line of nodes with an outline point on either side of each: cells between them carry the points of a
+/// A line of nodes with an outline point on either side of each: cells between them deform the points of a
 /// drawing.
 struct Backbone {
     std::vector<Point> nodes; ///< at least two
@@ -121,7 +121,7 @@ struct Backbone {
     friend bool operator==(const Backbone&, const Backbone&) = default;
 };
 
-/// The backbones of an object at a moment; the laws govern the way to the next.
+/// The backbones of an object at a time; the laws govern the transition to the next.
 struct BackboneKey {
     Time time;
     LawPair laws;
@@ -178,20 +178,20 @@ struct Object {
     std::optional<Skin> skin = {};               ///< then no backbones, and all drawings have as many strokes
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
     Driver driver = {};                          ///< of both
-    std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing carries it then
-    std::optional<Label> label = {};      ///< likewise: a text
+    std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing deforms it then
+    std::optional<Label> label = {};      ///< index into Scene::inputs: a text
     BeamStyle beam = {};                  ///< hatched only if there is a fill
-    bool has_depths = false; ///< it is a wire frame: only stroked, nothing carries it, it matches by count
+    bool has_depths = false; ///< it is a wire frame: only stroked, not deformed, matched by count
 };
 
 struct Item;
 
 /// Items that move and fade together.
 struct Group {
-    std::vector<Item> items; ///< the first lies lowest
+    std::vector<Item> items; ///< the first is the lowest
 };
 
-/// A symbol as if its items stood here.
+/// A symbol as if its items were here.
 struct Use {
     std::size_t symbol = 0; ///< index into Scene::symbols
 };
@@ -211,7 +211,7 @@ struct Symbol {
     std::vector<Item> items;
 };
 
-/// A named stretch of the timeline.
+/// A named range of the timeline.
 struct Clip {
     std::string name;
     Time begin;
@@ -219,13 +219,13 @@ struct Clip {
     Loop loop = Loop::once;
 };
 
-/// A named moment of the timeline.
+/// A named time on the timeline.
 struct Event {
     std::string name;
     Time time;
 };
 
-/// What of an input is a text.
+/// The part of an input that is a text.
 struct TextInput {
     std::u32string glyphs;        ///< the characters that it may have, in the order of their code points
     std::uint32_t max = 1;        ///< characters
@@ -239,7 +239,7 @@ struct DrawingInput {
     Drawing default_value = {}; ///< lines, and no more than that
 };
 
-/// What the scene takes from outside: a number that keys may go by, its values in 1/1000, or a text or a
+/// What the scene takes from outside: a number that may drive keys, its values in 1/1000, or a text or a
 /// drawing.
 struct Input {
     std::string name;
@@ -262,7 +262,7 @@ struct Scene {
     std::vector<Input> inputs;
     std::vector<Bones> bones;
     std::vector<Symbol> symbols;
-    std::vector<Item> items; ///< the first lies lowest
+    std::vector<Item> items; ///< the first is the lowest
     std::vector<Clip> clips;
     std::vector<Event> events; ///< in the order of their times
 };

@@ -34,8 +34,8 @@ namespace {
 constexpr int language_version = 1;
 constexpr NodeForm version_form{"kfast", "kfast 1", 1, 1};
 
-/// The nodes of the outermost level. Only `kfast` has a fixed place; what the others need of each other is
-/// read first.
+/// The nodes of the outermost level. Only `kfast` has a fixed position; what the others need from each other
+/// is read first.
 struct Parts {
     const kdl::Node* version = nullptr;
     const kdl::Node* canvas = nullptr;
@@ -96,7 +96,7 @@ Parts sort_out(const kdl::Document& document, SceneContext& context)
     return parts;
 }
 
-/// Whether this program can know what the rest means.
+/// Whether this program supports the version of the text.
 bool read_version(const kdl::Node& node, SceneContext& context)
 {
     if (!fits(node, version_form, context.report) || !refuse_properties(node, context.report))
@@ -120,7 +120,7 @@ bool read_version(const kdl::Document& document, SceneContext& context)
     return true;
 }
 
-/// What of an object stands at one of its shapes, which is a common mistake.
+/// The property of an object that is written at one of its shapes, which is a common mistake.
 std::string_view property_of_object(const kdl::Node& node, const kdl::Property& property)
 {
     static const auto names = [] {
@@ -222,7 +222,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     scene.length = context.length.value_or(std::max(context.last_key, Time::frame(1)));
     read_marks(parts, scene, context);
     scene.palette = context.palette.used();
-    // Behind all that asks what has been read: what they hold is not part of the scene.
+    // After everything that uses what has been read: what they hold is not part of the scene.
     check_unused_symbols(context);
     take_inputs(scene, context);
     take_skeletons(scene, context);

@@ -17,9 +17,9 @@ namespace kfast::scene {
 std::optional<Scene> read_scene(const kdl::Document& document, const SourceText& source,
                                 Diagnostics& diagnostics);
 
-/// Of the node that begins a scene.
+/// The schema of the node that begins a scene.
 schema::NodeSchema version_words();
-/// Of the nodes on the outermost level.
+/// The names of the nodes on the outermost level.
 std::span<const std::string_view> names_outermost();
 
 }

@@ -40,8 +40,8 @@ bool has_depth(const std::vector<art::Node>& nodes)
     });
 }
 
-/// How far the viewer of a scene is, in pixels: nothing where no depth is seen. Without a camera in the
-/// document, what turns in space is looked at from as far as there is, so that it grows with no nearness.
+/// The distance of the viewer of a scene, in pixels: nothing where no depth is visible. Without a camera in
+/// the document, what rotates in space gets the largest distance, so that there is hardly any perspective.
 std::optional<std::size_t> camera_of(const art::Document& document)
 {
     if (!has_depth(document.nodes))
@@ -161,14 +161,14 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
     return canvas;
 }
 
-/// Without the folder, which means nothing elsewhere.
+/// Leaves out the folder, which means nothing elsewhere.
 std::string first_lines(std::string_view origin)
 {
     const std::string name = clean_name(origin.substr(origin.find_last_of('/') + 1), "");
     return name.empty() ? "kfast 1\n" : "// Made from " + name + ".\n\nkfast 1\n";
 }
 
-/// With an empty line in front of it.
+/// The text of nodes after an empty line.
 std::string section(const std::vector<kdl::Node>& nodes)
 {
     return nodes.empty() ? std::string{} : '\n' + kdl::readable(nodes, crowded);

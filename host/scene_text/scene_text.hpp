@@ -15,8 +15,8 @@ struct SceneText {
 };
 
 /// The scene as a text that a person can read and go on editing, and that compiles without errors or
-/// warnings. `origin` says what it was made from, for the comment at its beginning. What the language has no
-/// words for is replaced by what looks most like it, within `tolerance` pixels where that is possible at all,
+/// warnings. `origin` says what it was made from, for the comment at its beginning. What the language cannot
+/// express is replaced by what looks most like it, within `tolerance` pixels where that is possible at all,
 /// and added to `losses` where it is not. Throws Failure where a limit of scenes is exceeded
 /// (docs/scene-language.md, "Limits").
 SceneText scene_text(const art::Document& document, std::string_view origin, double tolerance,

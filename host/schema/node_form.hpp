@@ -30,20 +30,20 @@ struct NodeForm {
 /// Whether `node` fits its form; reports what does not.
 bool fits(const kdl::Node& node, const NodeForm& form, Report& report);
 
-/// How often a part may stand in a node.
+/// How often a part may occur in a node.
 enum class Times : std::uint8_t { once, at_most_once, any };
 
-/// A node that may stand in another one. The table of them says what there may be, what it does, and what a
+/// A node that another one may contain. The table of them says what is allowed, what it does, and what a
 /// misspelt name is compared with.
 template <class Target, class Context = Report>
 struct PartRule {
     NodeForm form;
-    /// Whether the node was good; reports it if not.
+    /// Returns whether the node was valid; reports it if not.
     bool (*read)(const kdl::Node& node, Target& target, Context& context) = nullptr;
     Times times = Times::once;
 };
 
-/// Whether `part` may stand in `whole` as often as it does; reports it if not.
+/// Whether `part` may occur in `whole` as often as it does; reports it if not.
 bool may_stand(const kdl::Node& part, const kdl::Node& whole, Times times, Report& report);
 void report_unknown_part(const kdl::Node& part, const kdl::Node& whole,
                          std::span<const std::string_view> known, Report& report);
@@ -75,7 +75,7 @@ void read_parts(const kdl::Node& whole, const std::array<PartRule<Target, Contex
 const kdl::Node* only_node(const kdl::Document& document, const NodeForm& form, std::string_view what,
                            Report& report);
 
-/// What may be said of a property, as its rule has it.
+/// The description of a property, from its rule.
 struct PropertySchema {
     std::string_view name;
     ValueKind kind;
@@ -83,16 +83,16 @@ struct PropertySchema {
     std::string_view needs = {}; ///< another property, without which this one does nothing
 };
 
-/// What may be said of a node that stands in a certain place, as its reader has it.
+/// The description of a node in a certain context, from its reader.
 struct NodeSchema {
-    /// Its name; where nodes of one name differ by where they stand, "NAME of PARENT". Several entries of one
-    /// id are several ways to write such a node.
+    /// Its name; where nodes of one name differ by their parent, "NAME of PARENT". Several entries of one id
+    /// are several ways to write such a node.
     std::string_view id;
-    NodeForm form;                      ///< its name stands for any name if `takes_any_name`
-    std::vector<ValueKind> values = {}; ///< the last holds for all that follow
+    NodeForm form;                      ///< its name represents any name if `takes_any_name`
+    std::vector<ValueKind> values = {}; ///< the last applies to all that follow
     std::vector<PropertySchema> properties = {};
     std::vector<std::string_view> inside = {}; ///< ids of the nodes that it may hold
-    bool takes_any_name = false;               ///< that of a colour or a bone of the scene
+    bool takes_any_name = false;               ///< the name of a colour or a bone of the scene
 };
 
 template <class Target, class Context, std::size_t count>

@@ -15,11 +15,11 @@ namespace kfast::schema {
 /// A property of a kind of node. The table of them says what may be written, what it does, and what a
 /// misspelt name is compared with.
 ///
-/// `Context` is what is known besides while a text is read, with a report_of() that has the report.
+/// `Context` is what else is known while a text is read, with a report_of() that has the report.
 template <class Target, class Context = Report>
 struct PropertyRule {
     std::string_view name = {};
-    /// Whether the value was good; reports it if not.
+    /// Returns whether the value was valid; reports it if not.
     bool (*read)(const kdl::Value& value, Target& target, Context& context) = nullptr;
     ValueKind kind = {}; ///< of the values that `read` takes
     bool required = false;
@@ -61,7 +61,7 @@ bool read_property(const kdl::Node& node, const kdl::Property& property,
     return report_unknown_property(node, property, known, report_of(context));
 }
 
-/// Whether all properties of `node` were good, and none is missing.
+/// Reads all properties of `node`; returns whether all are valid, and none is missing.
 template <class Target, class Context, std::size_t count>
 bool read_properties(const kdl::Node& node, const std::array<PropertyRule<Target, Context>, count>& rules,
                      Target& target, Context& context)
@@ -76,7 +76,7 @@ bool read_properties(const kdl::Node& node, const std::array<PropertyRule<Target
     return good;
 }
 
-/// For nodes that have none.
+/// For nodes that have no properties.
 bool refuse_properties(const kdl::Node& node, Report& report);
 
 }

@@ -16,7 +16,7 @@ namespace kfast::schema {
 /// Names of one kind, each of which may be given once.
 class NameTable {
 public:
-    /// Where the name was given before, if it was.
+    /// Adds a name; returns where it was given before, if it was.
     std::optional<SourceSpan> add(std::string_view name, SourceSpan place)
     {
         const auto [entry, fresh] = places_.try_emplace(std::string{name}, place);
@@ -28,17 +28,17 @@ private:
     std::unordered_map<std::string, SourceSpan> places_;
 };
 
-/// What nodes and their values look like, whatever they mean: rules that readers of scenes, settings, boards
-/// and beams are tables of.
+/// What nodes and their values look like, whatever they mean: the rules in the tables of readers of scenes,
+/// settings, boards and beams.
 
-/// What helps where a node has no such property as `property`; `known` are those that it has.
+/// The hint for a node that has no property `property`; `known` are those that it has.
 using PropertyHint = std::string (*)(const kdl::Node& node, const kdl::Property& property,
                                      std::span<const std::string_view> known);
 
-/// Passes on what is wrong with a text, until it is so much that more helps nobody.
+/// Passes on what is wrong with a text, up to a limit beyond which more is no help.
 class Report {
 public:
-    /// `hint` is asked first for what helps where a property is not known; it may return an empty text.
+    /// `hint` is asked first for a hint about an unknown property; it may return an empty text.
     Report(const SourceText& source, Diagnostics& diagnostics, PropertyHint hint = nullptr)
         : source_{source}, diagnostics_{diagnostics}, property_hint_{hint}
     {
@@ -55,7 +55,7 @@ public:
     {
         return property_hint_ == nullptr ? std::string{} : property_hint_(node, property, known);
     }
-    /// "line 12". Looks through the text: only for messages.
+    /// "line 12". Scans the text: only for messages.
     std::string line(SourceSpan place) const;
 
 private:
@@ -69,10 +69,10 @@ private:
     std::size_t warnings_ = 0;
 };
 
-/// The report of whatever the rules of a table are read with; other readers have their own.
+/// The report for the context that the rules of a table are read with; other readers have their own.
 inline Report& report_of(Report& report) { return report; }
 
-/// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is what to mark.
+/// Whether `name` is new among `names`, those of the kind `noun`; reports it if not. `place` is marked.
 bool add_name(NameTable& names, std::string_view noun, std::string_view name, SourceSpan place,
               Report& report);
 /// Always false.

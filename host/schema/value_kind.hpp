@@ -16,11 +16,11 @@ struct Range {
 };
 
 enum class ValueType : std::uint8_t {
-    none, ///< not told
+    none, ///< unspecified
     number,
     whole_number,
     time,
-    moment, ///< a time, or a value of the input that its node goes by
+    moment, ///< a time, or a value of the input that drives its node
     colour,
     name,
     text,
@@ -48,7 +48,7 @@ inline constexpr auto word_names = [] {
     return names;
 }();
 
-/// What a value is to be, for those that write scenes and for their tools.
+/// The expected kind of a value, for those that write scenes and for their tools.
 struct ValueKind {
     ValueType type = ValueType::none;
     Range range = {};           ///< of numbers

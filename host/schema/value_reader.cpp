@@ -16,7 +16,7 @@ namespace kfast::schema {
 
 namespace {
 
-/// If a number is meant by what is a text; empty: it is none.
+/// The hint if a text was meant as a number; else empty.
 std::string hint_of_text(const std::string& text)
 {
     constexpr std::string_view minus = "\u2212";
@@ -27,7 +27,7 @@ std::string hint_of_text(const std::string& text)
     return "write " + plain + (is_typographic ? ", with the minus of the keyboard" : " without quotes");
 }
 
-/// A type annotation means something on times only.
+/// A type annotation is allowed on times only.
 bool without_type(const kdl::Value& value, Report& report)
 {
     return !value.type || report.error(value.place, "this value takes no type or unit",

@@ -14,14 +14,14 @@
 #include <string_view>
 #include <vector>
 
-/// Values of nodes and properties as what the language takes them for. Each function reports what is wrong
-/// and then returns nothing.
+/// Reads values of nodes and properties as the types of the language. Each function reports what is wrong and
+/// then returns nothing.
 namespace kfast::schema {
 
-/// As few digits as tell the number: "0.0625"
+/// The fewest digits that identify the number: "0.0625"
 std::string text_of(double number);
 
-/// Only as many decimals as it takes: `is_same` tells whether a rounded number still stands for `number`,
+/// Only as many decimals as it takes: `is_same` returns whether a rounded number still represents `number`,
 /// which it must at some point.
 template <class IsSame>
 std::string shortest_text(double number, IsSame is_same)
@@ -40,16 +40,16 @@ std::string allowed(Range range);
 const kdl::Number* number_of(const kdl::Value& value, Report& report);
 std::optional<double> read_number(const kdl::Value& value, Range range, Report& report);
 void report_out_of_range(const kdl::Value& value, Range range, Report& report);
-/// The last of `ranges`, of which there is at least one, holds for all that follow.
+/// The last of `ranges`, of which there is at least one, applies to all that follow.
 std::optional<std::vector<double>> read_numbers(std::span<const kdl::Value> values,
                                                 std::span<const Range> ranges, Report& report);
 std::optional<int> read_whole_number(const kdl::Value& value, Range range, Report& report);
-/// #true or #false.
+/// Reads #true or #false.
 std::optional<bool> read_flag(const kdl::Value& value, Report& report);
 /// Points into `value`.
 std::optional<std::string_view> read_text(const kdl::Value& value, Report& report);
 inline constexpr std::size_t max_name_bytes = 255;
-/// What something is called: 1 to max_name_bytes bytes.
+/// Reads a name: 1 to max_name_bytes bytes.
 std::optional<std::string_view> read_name(const kdl::Value& value, Report& report);
 
 void report_unknown_word(const kdl::Value& value, std::string_view name,
@@ -72,18 +72,18 @@ std::optional<Meaning> read_word(const kdl::Value& value, const std::array<Word<
     return std::nullopt;
 }
 
-/// Where a part of the text of `value` stands in the source; where that is not known, the whole value.
+/// The location in the source of a part of the text of `value`; if that is not known, of the whole value.
 inline SourceSpan place_in_text(const kdl::Value& value, SourceSpan part)
 {
     return value.text_offset ? SourceSpan{*value.text_offset + part.offset, part.length} : value.place;
 }
 
-/// Passes on a finding inside the text of `value` at its place in the source; where that is not known (the
-/// text has escapes or several lines), at the whole value with the place in words, in the text that `what`
+/// Passes on a finding inside the text of `value` at its location in the source; if that is not known (the
+/// text has escapes or several lines), at the whole value with the location in words, in the text that `what`
 /// names.
 void pass_on(const Diagnostic& finding, const kdl::Value& value, std::string_view what, Report& report);
 
-/// Whether there was a value; then `target`, whose type holds it, has it.
+/// Stores the value in `target`, whose type holds it; returns whether there was one.
 template <class T, class U>
 bool assign(const std::optional<T>& value, U& target)
 {
@@ -98,7 +98,7 @@ struct QuantityUnit {
     double factor;
 };
 
-/// What a number with a unit stands for.
+/// The kind of quantity that a number with a unit is.
 struct QuantityForm {
     std::string_view noun;               ///< "a frequency"
     std::string_view example;            ///< "(MHz)125"
@@ -112,10 +112,10 @@ inline constexpr std::array memory_units{QuantityUnit{"KiB", 1024}, QuantityUnit
 inline constexpr QuantityForm frequency{"a frequency", "(MHz)125", frequency_units};
 inline constexpr QuantityForm memory_size{"a size of memory", "(KiB)264", memory_units};
 
-/// As few digits as tell it, in the largest unit of which it has at least one: "(MHz)62.5"
+/// The fewest digits that identify it, in the largest unit of which it has at least one: "(MHz)62.5"
 std::string quantity_text(double quantity, const QuantityForm& form);
 
-/// In Hz or bytes. Reports what is wrong and then returns nothing.
+/// Returns Hz or bytes. Reports what is wrong and then returns nothing.
 std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, Range range,
                                     Report& report);
 

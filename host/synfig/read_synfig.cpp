@@ -132,7 +132,7 @@ private:
                 number("gamma-b", default_value, 0.01, 100)};
     }
 
-    /// Synfig 1.5.1 paints it as it is, without the gamma that layers get.
+    /// Synfig 1.5.1 paints it unchanged, without the gamma that layers get.
     std::optional<art::Rgb> background() const
     {
         const auto colour = numbers<4>("bgcolor", {0, 0, 0, 0});

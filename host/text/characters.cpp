@@ -65,7 +65,7 @@ constexpr std::array unprintable{
     Range{0x2028, 0x202E}, Range{0x2060, 0x206F}, Range{0xFEFF, 0xFEFF}, Range{0xFFF9, 0xFFFB},
 };
 
-// The blocks that terminals commonly draw over the glyph before, or two columns wide; not every code point.
+// The blocks that terminals commonly draw over the previous glyph, or two columns wide; not every code point.
 constexpr std::array combining{Range{0x0300, 0x036F}, Range{0x20D0, 0x20FF}, Range{0xFE00, 0xFE0F}};
 constexpr std::array wide{
     Range{0x1100, 0x115F},   Range{0x2E80, 0xA4CF},   Range{0xAC00, 0xD7A3},   Range{0xF900, 0xFAFF},

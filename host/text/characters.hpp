@@ -11,9 +11,9 @@ namespace kfast {
 /// `value` must be a scalar value.
 void append_utf8(std::string& text, char32_t value);
 
-/// The character that a text in UTF-16 begins with, behind a byte order mark, if it is one of ASCII; else 0.
-/// Without a mark, a text is taken for UTF-16 if its first character is one that texts begin with: printed, a
-/// space, a tab or the end of a line.
+/// The character that a text in UTF-16 begins with, after a byte order mark, if it is one of ASCII; else 0.
+/// Without a mark, a text is taken as UTF-16 if its first character is one that texts begin with: printable,
+/// a space, a tab or the end of a line.
 char first_of_utf16(std::string_view text);
 
 /// Whether it has a byte order mark of UTF-16, or begins as such a text does.
@@ -25,13 +25,13 @@ struct Glyph {
     std::size_t columns = 1;
 };
 
-/// Controls, text direction marks and invalid bytes come out as <U+001B> or <0xFF>; a tab as four spaces.
+/// Controls, text direction marks and invalid bytes are shown as <U+001B> or <0xFF>; a tab as four spaces.
 Glyph glyph(CodePoint point);
 
 /// `text` with every code point as its glyph, line ends included.
 std::string visible(std::string_view text);
 
-/// `text` for a message: visible, in quotes, and cut with … when it is long.
+/// `text` for a message: visible, in quotes, and truncated with … when it is long.
 std::string in_quotes(std::string_view text);
 
 }

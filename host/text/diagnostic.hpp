@@ -9,12 +9,12 @@ namespace kfast {
 
 enum class Severity { warning, error };
 
-/// One thing that is wrong with a text: where, what, and what would be right.
+/// One thing that is wrong with a text: where, what, and what would be valid.
 struct Diagnostic {
     Severity severity = Severity::error;
     SourceSpan place;
     std::string message; ///< what is wrong: "unknown colour \"blu\""
-    std::string hint;    ///< what would be right: "did you mean \"blue\"?"; may be empty
+    std::string hint;    ///< what would be valid: "did you mean \"blue\"?"; may be empty
 };
 
 /// Collects what is wrong, so that one run reports all of it.
@@ -24,7 +24,7 @@ public:
     void warning(SourceSpan place, std::string message, std::string hint = {});
 
     bool has_errors() const;
-    /// In the order of their places.
+    /// In the order of their locations.
     std::vector<Diagnostic> sorted() const;
 
 private:
@@ -32,7 +32,7 @@ private:
 };
 
 /// One diagnostic for a terminal: `name:line:column: error: message`, the line itself, a caret under the
-/// place, and the hint. Long lines are cut around the place; control characters are made visible.
+/// location, and the hint. Long lines are cut around it; control characters are made visible.
 std::string format(const Diagnostic& diagnostic, const SourceText& source);
 
 }

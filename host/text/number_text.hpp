@@ -13,7 +13,7 @@ inline std::string counted(std::size_t number, const std::string& noun)
     return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
 }
 
-/// With at most four digits behind the point: what is stored is coarser, or seen no finer.
+/// With at most four digits after the point: what is stored, or visible, is no finer.
 inline std::string rounded_text(double number)
 {
     std::ostringstream text;

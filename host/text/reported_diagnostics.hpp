@@ -22,15 +22,15 @@ using Reporter = std::function<DiagnosticCount(const Diagnostics& diagnostics, c
 
 DiagnosticCount count(const Diagnostics& diagnostics);
 
-/// Prints all diagnostics to `out`, in the order of their places: in colour when that is standard error, a
+/// Prints all diagnostics to `out`, in the order of their locations: in colour when that is standard error, a
 /// terminal, and NO_COLOR is not set.
 DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source,
                        std::ostream& out = std::cerr);
 
-/// Reports so. `out` must outlive it.
+/// Returns a reporter that does this. `out` must outlive it.
 Reporter printing_to(std::ostream& out);
 
-/// Prints "NAME: warning: TEXT", likewise.
+/// Prints "NAME: warning: TEXT", coloured in the same way.
 void print_warning(const std::string& name, const std::string& text, std::ostream& out = std::cerr);
 
 }

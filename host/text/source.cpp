@@ -71,11 +71,11 @@ std::size_t columns(std::string_view text)
     return sum;
 }
 
-/// What a code point takes of the room. Unlike a column this is never 0, so that a long run of combining
+/// The columns that a code point uses up. Unlike its width this is never 0, so that a long run of combining
 /// marks is cut as well.
 std::size_t room(CodePoint point) { return std::max<std::size_t>(glyph(point).columns, 1); }
 
-/// The longest beginning of `text` that fits.
+/// The longest prefix of `text` that fits.
 std::string_view beginning(std::string_view text, std::size_t room_left)
 {
     std::size_t at = 0;
@@ -88,7 +88,7 @@ std::string_view beginning(std::string_view text, std::size_t room_left)
 
 bool continues_sequence(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// An end of `text` that fits. Looks at the last few bytes only, for a line may be a whole file.
+/// A suffix of `text` that fits. Looks at the last few bytes only, for a line may be a whole file.
 std::string_view ending(std::string_view text, std::size_t room_left)
 {
     constexpr std::size_t longest_sequence = 4;
@@ -100,7 +100,7 @@ std::string_view ending(std::string_view text, std::size_t room_left)
     return end;
 }
 
-/// Both parts of a line that is split where the place begins.
+/// Both parts of a line that is split where the span begins.
 struct Halves {
     std::string_view before;
     std::string_view from;

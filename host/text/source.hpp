@@ -7,22 +7,22 @@
 
 namespace kfast {
 
-/// A stretch of bytes in a source text.
+/// A range of bytes in a source text.
 struct SourceSpan {
     std::size_t offset = 0;
     std::size_t length = 0;
 };
 
-/// A text and the name it goes by in messages (usually its file name).
+/// A text and its name in messages (usually its file name).
 struct SourceText {
     std::string name;
     std::string text;
-    /// The path of where the files that the text names are looked for, "" for the current folder. Nothing: it
-    /// may name none.
+    /// The folder in which files that the text names are looked for, "" for the current one. Nothing: it may
+    /// name none.
     std::optional<std::string> folder = std::nullopt;
 };
 
-/// Where a byte stands for a reader. Both count from 1; a column is a Unicode code point.
+/// The position of a byte for a reader. Both count from 1; a column is a Unicode code point.
 struct LineColumn {
     std::size_t line = 1;
     std::size_t column = 1;
@@ -31,16 +31,16 @@ struct LineColumn {
 /// Lines end with LF, CR LF or a lone CR, as editors count them. An offset beyond the end means the end.
 LineColumn line_column(std::string_view text, std::size_t offset);
 
-/// The whole line that holds `offset`, without its end. An offset beyond the end means the end.
+/// The whole line that contains `offset`, without its end. An offset beyond the end means the end.
 std::string_view line_at(std::string_view text, std::size_t offset);
 
-/// The part of a line that is shown around a place, and the marks that go under it.
+/// The part of a line that is shown around a location, and the marks that go under it.
 struct Excerpt {
     std::string line;
-    std::string marks; ///< spaces, then ^~~~ under the place
+    std::string marks; ///< spaces, then ^~~~ under the location
 };
 
-/// At most about 120 columns of the line that holds `place`; what is cut is replaced by ….
+/// At most about 120 columns of the line that contains `place`; what is cut is replaced by ….
 Excerpt excerpt(std::string_view text, SourceSpan place);
 
 }

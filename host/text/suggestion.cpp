@@ -32,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return row[b.size()];
 }
 
-/// A third of the letters may be wrong, but never all of them. Dashes before them are none.
+/// A third of the letters may be wrong, but never all of them. Leading dashes do not count.
 std::size_t tolerance(std::string_view name)
 {
     const std::size_t letters = name.size() - std::min(name.find_first_not_of('-'), name.size());

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where sudo looks for programs wherever their folders are not given.
+/// Where sudo looks for programs without a given folder.
 constexpr std::array root_folders{"/usr/local/sbin", "/usr/local/bin", "/usr/sbin",
                                   "/usr/bin",        "/sbin",          "/bin"};
 

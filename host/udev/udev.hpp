@@ -13,7 +13,7 @@ extern const std::string_view udev_rule;
 /// Puts it there: "sudo kfast install-udev", with the folder of this program where root would not find it.
 std::string udev_command();
 
-/// A file of /dev may not be opened. `mark` is what tells the line of udev_rule for it from others.
+/// The failure that a file of /dev may not be opened. `mark` identifies the line of udev_rule for it.
 Failure not_allowed(const std::string& path, std::string_view mark);
 
 }

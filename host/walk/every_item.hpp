@@ -41,7 +41,7 @@ inline std::size_t object_count(const SceneView& scene)
 
 /// An item that a scene stores, apart from where it is used.
 struct StoredItem {
-    std::size_t number = 0; ///< its place in SceneFile::item_names
+    std::size_t number = 0; ///< its index in SceneFile::item_names
     std::string name;       ///< its own; "object 3" for a leaf without one, else empty
 };
 
@@ -63,7 +63,7 @@ inline std::map<const std::byte*, StoredItem> stored_items(const SceneView& scen
     return items;
 }
 
-/// The skeleton of this number, which objects name that it carries.
+/// The skeleton with this number, by which the objects that it deforms refer to it.
 inline SkeletonView skeleton_of(const SceneView& scene, std::uint32_t number)
 {
     SkeletonCursor skeletons = scene.skeletons();

@@ -12,7 +12,7 @@ namespace kfast {
 /// The text that the input has until another is set, in UTF-8.
 std::string default_text(const TextInput& input);
 
-/// As many of one character as the input may have, in UTF-8.
+/// One character as often as the input allows, in UTF-8.
 std::string full_text(const TextInput& input, std::uint32_t glyph);
 
 /// How many points each glyph of a text has, in all labels that show the input `number` together, those of a

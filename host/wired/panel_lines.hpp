@@ -38,13 +38,13 @@ constexpr std::string_view line_role_name(LineRole role)
     return line_role_names[static_cast<std::size_t>(role)];
 }
 
-/// As GpioLine::name has it.
+/// Names as in GpioLine::name.
 using LineNames = std::map<LineRole, std::string>;
 
 /// A bit for each role.
 constexpr std::uint32_t line_bit(LineRole role) { return std::uint32_t{1} << static_cast<unsigned>(role); }
 
-/// The GPIO lines of a display. Until it is told otherwise the display is dark, not selected, and not in
+/// The GPIO lines of a display. Initially the display is dark, not selected, and not in
 /// reset.
 class PanelLines {
 public:
@@ -53,8 +53,8 @@ public:
 
     bool has(LineRole role) const { return (roles_ & line_bit(role)) != 0; }
 
-    /// Bits are those of line_bit(): lines that `which` has are set to what `levels` has; those that are not
-    /// wired do not matter. Costs a call of the kernel if anything changes. Throws Failure as GpioOutputs
+    /// Bits are those of line_bit(): the lines in `which` are set to their bits of `levels`; those that are
+    /// not wired do not matter. Costs a kernel call if anything changes. Throws Failure as GpioOutputs
     /// does.
     void set(std::uint32_t which, std::uint32_t levels);
     void set(LineRole role, bool level) { set(line_bit(role), level ? line_bit(role) : 0); }

@@ -81,14 +81,14 @@ private:
 static_assert(DisplayBus<SpidevBus>);
 
 /// The clock of a computer, for a board that sleeps between pictures. When half an hour has passed since it
-/// was asked last the program was stopped (Ctrl-Z), which does not count: the run loop could not tell that
-/// from a frame that is not due yet.
+/// was last read the program was stopped (Ctrl-Z), which does not count: the run loop could not distinguish
+/// that from a frame that is not due yet.
 class SteadyClock {
 public:
     Microseconds now();
-    /// All of that time.
+    /// Waits for all of that time.
     void pause(Microseconds time) const;
-    /// Until `moment`, or until a signal has come that RememberedInterruption remembers.
+    /// Waits until `moment`, or until a signal arrives that RememberedInterruption remembers.
     void sleep_until(Microseconds moment);
 
 private:
@@ -106,7 +106,7 @@ std::int64_t nanoseconds_now()
     return time.tv_sec * nanoseconds_per_second + time.tv_nsec;
 }
 
-/// False if a signal came before.
+/// Returns false if a signal came before.
 bool sleep_until(std::int64_t nanoseconds)
 {
     const timespec moment{.tv_sec = nanoseconds / nanoseconds_per_second,
@@ -145,7 +145,7 @@ void SteadyClock::sleep_until(Microseconds moment)
     }
 }
 
-/// A Linux computer as a board: a display with the driver `P` hangs on its lines.
+/// A Linux computer as a board: a display with the driver `P` is wired to its lines.
 template <Panel P>
 class WiredBoard {
 public:
@@ -204,7 +204,7 @@ public:
         ++frames_.shown;
         frames_.left_out = report.skipped;
     }
-    /// The scene was checked, and memory is as the scene says it needs.
+    /// The scene was checked, and has the memory that it says it needs.
     void fault(Error) {}
 
 private:
@@ -230,7 +230,7 @@ void run_until_dark(WiredBoard<P>& board)
     } catch (...) {
         try {
             board.go_dark();
-        } catch (const Failure&) { // of the bus that has failed already
+        } catch (const Failure&) { // of the bus that has failed before
         }
         throw;
     }

@@ -69,7 +69,7 @@ Failure cannot_write(const std::string& path, int error, std::size_t bytes)
     }
 }
 
-/// What spidev's buffer holds; its usual size where the kernel does not tell.
+/// The size of spidev's buffer; its default size if the kernel does not report it.
 std::size_t buffer_size()
 {
     constexpr std::size_t default_size = 4096;

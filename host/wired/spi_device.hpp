@@ -11,7 +11,7 @@ struct SpiSettings {
     std::string path;          ///< /dev/spidev0.0
     std::uint32_t clock = 0;   ///< bits a second, not 0
     int mode = 0;              ///< 0 or 3: displays take bits at the rising edge
-    bool drives_select = true; ///< else the line of the bus's own chip select stays as it is
+    bool drives_select = true; ///< else the bus's own chip select line stays as it is
 };
 
 /// Where SPI is switched on, for messages.
@@ -25,19 +25,19 @@ std::string present_spi_devices();
 /// A device of Linux's spidev, written to alone.
 class SpiDevice {
 public:
-    /// Throws Failure: with no_device, with no_permission, and with refused if mode or clock cannot be.
+    /// Throws Failure: with no_device, with no_permission, and with refused if mode or clock cannot be set.
     explicit SpiDevice(const SpiSettings& settings);
     ~SpiDevice();
     SpiDevice(const SpiDevice&) = delete;
     SpiDevice& operator=(const SpiDevice&) = delete;
 
-    /// In as many transfers as the kernel's buffer needs; chip select goes low anew for each. Throws Failure:
-    /// with unplugged if the device is gone, else with refused.
+    /// In as many transfers as the kernel's buffer needs; chip select goes low again for each. Throws
+    /// Failure: with unplugged if the device is gone, else with refused.
     void write(std::span<const std::byte> bytes);
 
-    /// As the kernel tells; its driver takes the next lower clock that the chip can make.
+    /// As the kernel reports it; its driver uses the next lower clock that the chip can make.
     std::uint32_t clock() const { return clock_; }
-    /// The most bytes in a transfer.
+    /// The maximum number of bytes in a transfer.
     std::size_t piece() const { return piece_; }
 
 private:

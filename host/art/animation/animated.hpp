@@ -11,7 +11,7 @@ namespace kfast::art {
 
 constexpr double mixed(double from, double to, double share) { return from + share * (to - from); }
 
-/// A value at a moment; the ease governs the way to the next key.
+/// A value at a time; the ease governs the transition to the next key.
 template <typename Value>
 struct Key {
     double time = 0; ///< in frames of the document
@@ -21,7 +21,7 @@ struct Key {
 };
 
 /// Something that changes over time. Has at least one key, and their times rise; holds its first value before
-/// the first key and its last one behind the last. Value has an overload of mixed(from, to, share).
+/// the first key and its last one after the last. Value has an overload of mixed(from, to, share).
 template <typename Value>
 struct Animated {
     std::vector<Key<Value>> keys;
@@ -31,7 +31,7 @@ struct Animated {
     explicit Animated(std::vector<Key<Value>> given) : keys{std::move(given)} {}
 
     bool is_still() const { return keys.size() == 1; }
-    /// Of what is_still().
+    /// The value; only if is_still().
     const Value& value() const { return keys.front().value; }
 
     Value at(double time) const

@@ -55,7 +55,7 @@ private:
     Drawing form_; ///< a curve is a cubic where it has ever been one
 };
 
-/// A baking that allows each coordinate what places may be off.
+/// Returns a baking with the tolerance of a coordinate instead of that of a point.
 Baking for_places(Baking baking)
 {
     baking.tolerance /= std::numbers::sqrt2;

@@ -29,7 +29,7 @@ double farthest(const Spots& left, const Spots& right)
     return max;
 }
 
-/// The slopes of straight ways that a coordinate may take from a start.
+/// The slopes that the line of a coordinate may have from a start.
 struct Slopes {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ struct Slopes {
     }
 };
 
-/// The straight ways from a start that pass all samples so far within the tolerance.
+/// The straight lines from a start that pass all samples so far within the tolerance.
 class Cone {
 public:
     enum class Answer { ends_here, passes, none };
@@ -52,7 +52,7 @@ public:
     {
     }
 
-    /// Whether such a way can end exactly at this sample, or at least pass it.
+    /// Returns whether such a line can end exactly at this sample, or at least pass it.
     Answer take(const Sample& start, const Sample& sample)
     {
         const double span = sample.time - start.time;
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// Looking further than so many samples behind the last end that fits costs more than it finds.
+    /// Looking more than that many samples past the last end that fits costs more than it finds.
     static constexpr std::size_t farthest_look = 64;
 
     void advance()
@@ -153,7 +153,7 @@ private:
         end_ = 0;
     }
 
-    /// What stands still until it jumps needs no second key before the jump.
+    /// A value that is constant until it jumps needs no second key before the jump.
     void drop_held_copy()
     {
         if (keys_.size() < 2)
@@ -169,13 +169,13 @@ private:
     std::size_t max_;
     std::deque<Sample> window_; ///< from the last key on
     std::size_t next_ = 1;      ///< index of the sample that the cone takes next
-    std::size_t end_ = 0;       ///< index of the last sample at which the way can end
+    std::size_t end_ = 0;       ///< index of the last sample at which the line can end
     Cone cone_{{}, 0};
     std::vector<Key<Spots>> keys_;
 };
 
-/// Half of the tolerance may be lost between the samples, half at them: the straight ways between samples and
-/// those between keys differ most at samples.
+/// Half of the tolerance may be lost between the samples, half at them: the lines between samples and those
+/// between keys differ most at samples.
 class Baker {
 public:
     Baker(const std::function<Spots(double)>& spots_at, const Baking& baking)
@@ -230,7 +230,7 @@ private:
     }
 
     /// Where a curve is smooth, halving a step leaves a quarter of the error, so that what is left is at most
-    /// a quarter of the tolerance, and another one is in hand.
+    /// a quarter of the tolerance, and another quarter is in reserve.
     void take_between(const Sample& from, const Sample& to, int halvings)
     {
         const double time = (from.time + to.time) / 2;

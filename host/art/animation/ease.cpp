@@ -9,7 +9,7 @@ namespace kfast::art {
 
 namespace {
 
-/// Of a Bézier from 0 to 1.
+/// The value of a cubic Bézier from 0 to 1.
 double cubic(double first, double second, double parameter)
 {
     const double rest = 1 - parameter;
@@ -39,7 +39,7 @@ double share_of_way(const Ease& ease, double time)
 
 double parameter_at(const Ease& ease, double time)
 {
-    // x rises with the parameter, for x1 and x2 are 0 to 1. Newton's steps, or halves where those lead away.
+    // x rises with the parameter, for x1 and x2 are 0 to 1. Newton's steps, or bisection where those diverge.
     constexpr int max_steps = 60;
     constexpr double near_enough = 1e-15;
     double low = 0;
@@ -139,7 +139,7 @@ private:
         parts_.push_back({x[0], x[3], y[0], y[3], ease_of(x, y)});
     }
 
-    /// A piece that takes no time, where x stands still, is a jump: it goes to its neighbour.
+    /// A piece that takes no time, where x does not change, is a jump: it goes to its neighbour.
     void take_instant(double way)
     {
         if (!parts_.empty())
@@ -159,7 +159,7 @@ private:
         return true;
     }
 
-    /// Between its bends the speed of x only falls or only rises, and then this is so.
+    /// Between its inflections the speed of x only falls or only rises, and then this holds.
     static bool is_time(const Values& x)
     {
         const double span = x[3] - x[0];
@@ -167,7 +167,7 @@ private:
                within((x[2] - x[0]) / span, -rounding, 1 + rounding);
     }
 
-    /// Between its extremes a cubic rises or falls, and then this is so.
+    /// Between its extremes a cubic rises or falls, and then this holds.
     static bool is_way(const Values& y)
     {
         const double way = y[3] - y[0];

@@ -47,7 +47,7 @@ Vector solved(Matrix left, Vector right)
     return right;
 }
 
-/// How a cubic ease misses given ways.
+/// How far a cubic ease misses given progress values.
 class Misses {
 public:
     Misses(std::span<const double> ways, const Vector& at)
@@ -60,7 +60,7 @@ public:
 
     double sum() const { return sum_; }
 
-    /// The step of Levenberg and Marquardt.
+    /// The Levenberg-Marquardt step.
     Vector step(double damping) const
     {
         Matrix damped = squares_;

@@ -16,7 +16,7 @@
 
 /// What the importers make of other programs' files: an animation in doubles, as near to the language of
 /// scenes as these files allow. Coordinates are canvas pixels, y down; times are frames, the scene beginning
-/// at 0; angles are degrees, clockwise; shares and channels of colours are 0 to 1.
+/// at 0; angles are degrees, clockwise; fractions and colour channels are 0 to 1.
 namespace kfast::art {
 
 struct Rgb {
@@ -54,17 +54,17 @@ struct StrokeStyle {
 /// How far a point follows a bone.
 struct BoneInfluence {
     std::size_t bone = 0; ///< index into Rig::bones
-    double weight = 0;    ///< above 0; only what they are to each other matters
+    double weight = 0;    ///< above 0; only their ratios matter
     friend bool operator==(const BoneInfluence&, const BoneInfluence&) = default;
 };
 
-/// What bones carry a shape.
+/// Which bones deform a shape.
 struct Skin {
     std::size_t rig = 0; ///< index into Document::rigs
     /// For each point of the first drawing, as the scene language counts them: where an outline begins, and
-    /// where its curves end but for the closing point. At most four each, at least one.
+    /// where its curves end but for the closing point. One to four each.
     std::vector<std::vector<BoneInfluence>> points;
-    bool turns_changes = false; ///< what later drawings change turns with the bones
+    bool turns_changes = false; ///< the changes of later drawings rotate with the bones
     friend bool operator==(const Skin&, const Skin&) = default;
 };
 
@@ -74,7 +74,7 @@ struct Shape {
     std::optional<Fill> fill;
     std::optional<StrokeStyle> stroke;
     std::optional<Skin> skin;
-    bool matches_length = false; ///< where forms differ, points meet by arc length rather than by count
+    bool matches_length = false; ///< where forms differ, points match by arc length rather than by count
     friend bool operator==(const Shape&, const Shape&) = default;
 };
 
@@ -82,19 +82,19 @@ struct Node;
 
 /// Nodes that move and fade together.
 struct Group {
-    std::vector<Node> nodes; ///< the first lies lowest
+    std::vector<Node> nodes; ///< the first is the lowest
 };
 
 /// A curve to move along.
 struct MotionPath {
     Drawing path;       ///< one open outline with at least one curve
-    Channel share;      ///< of its length
+    Channel share;      ///< fraction of its length
     bool turns = false; ///< its direction is added to the rotation about z
     friend bool operator==(const MotionPath&, const MotionPath&) = default;
 };
 
-/// What a node does to its content: it leans, grows, turns about z, then y, then x, all about its anchor, and
-/// moves so that the anchor is at the position.
+/// What a node does to its content: it skews, scales, rotates about z, then y, then x, all about its anchor,
+/// and moves so that the anchor is at the position.
 struct Transform {
     Channel anchor_x = {0};
     Channel anchor_y = {0};
@@ -107,7 +107,7 @@ struct Transform {
     Channel rotate = {0}; ///< about z
     Channel rotate_x = {0};
     Channel rotate_y = {0};
-    /// Lottie's: the content is turned by the axis, sheared by the tangent of the skew, and turned back.
+    /// Lottie's: the content is rotated by the axis, sheared by the tangent of the skew, and rotated back.
     Channel skew = {0};
     Channel skew_axis = {0};
     friend bool operator==(const Transform&, const Transform&) = default;
@@ -125,9 +125,9 @@ struct Node {
     std::string name; ///< as in the file; may be empty, and need not be unique
     Transform transform;
     Channel opacity = {1};                          ///< of the finished picture of all that is inside
-    std::vector<Span> shown = std::vector<Span>(1); ///< when it is seen: rising and apart; none means never
+    std::vector<Span> shown = std::vector<Span>(1); ///< when visible: ascending, disjoint; none: never
     /// Not 0: neighbours with the same number are one group, written for each of its members because others
-    /// may lie between them (a parent in Lottie). Their transforms are the same.
+    /// may be between them (a parent in Lottie). Their transforms are the same.
     std::size_t parent_tag = 0;
     std::variant<Shape, Group> content;
 };
@@ -143,19 +143,19 @@ struct Bone {
     scene::Vec2 from;                  ///< as set up
     scene::Vec2 to;                    ///< not `from`
     Channel rotation = {0};            ///< from the direction as set up
-    Channel x = {0};                   ///< of where it begins, from there as set up, in directions as set up
+    Channel x = {0};                   ///< of its origin, from that as set up, in directions as set up
     Channel y = {0};
     std::optional<Channel> length; ///< in pixels; as set up without it
     bool at_tip = false;           ///< its beginning moves with the length of its parent
 };
 
-/// A skeleton, in the coordinates of the shapes that it carries.
+/// A skeleton, in the coordinates of the shapes that it deforms.
 struct Rig {
     std::string name;
     std::vector<Bone> bones; ///< at least one
 };
 
-/// A named moment, or a stretch of time.
+/// A named time, or a range of time.
 struct Marker {
     std::string name;
     double time = 0;
@@ -169,8 +169,8 @@ struct Document {
     double frames = 1;      ///< length of the scene
     Loop loop = Loop::repeat;
     std::optional<Rgb> background;
-    std::optional<double> camera; ///< distance of the viewer, in pixels; without one, depth is not seen
-    std::vector<Node> nodes;      ///< the first lies lowest
+    std::optional<double> camera; ///< distance of the viewer, in pixels; without one, depth is not visible
+    std::vector<Node> nodes;      ///< the first is the lowest
     std::vector<Rig> rigs;
     std::vector<Marker> markers;
 };
@@ -212,7 +212,7 @@ void every_animation(Bone& bone, Visit&& visit)
 }
 
 /// Calls visit(node, place) with each node, the outer ones first; `place` are the names from the outermost
-/// on, as Loss::layer has them. Throws Failure if they lie too deep in each other.
+/// on, as Loss::layer has them. Throws Failure if they are nested too deeply.
 template <typename Visit>
 void every_node(std::vector<Node>& nodes, Visit&& visit, const std::string& around = {}, int depth = 0)
 {
@@ -225,14 +225,14 @@ void every_node(std::vector<Node>& nodes, Visit&& visit, const std::string& arou
     }
 }
 
-/// Degrees: what leans by a quarter turn has no width, so nothing leans by more.
+/// Degrees: at a skew of 90 the content has no width, so no skew is larger.
 inline constexpr double steepest_skew = 89.9;
 
-/// What the transform does to its content at a time, along its path if it has one; its depth and turns in
-/// space aside.
+/// What the transform does to its content at a time, along its path if it has one; without its depth and its
+/// rotations about x and y.
 Affine matrix_at(const Transform& transform, double time);
 
-/// As matrix_at() without the place and the path: how it turns, grows and leans.
+/// As matrix_at() without the position and the path: rotation, scale and skew alone.
 Affine shape_at(const Transform& transform, double time);
 
 }

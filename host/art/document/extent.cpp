@@ -30,7 +30,7 @@ Range product(double factor, Range range)
     return {std::min(one, other), std::max(one, other)};
 }
 
-/// How far ways swing beyond their keys, in shares of the way.
+/// How far transitions overshoot their keys, as a fraction of the difference.
 template <typename Value>
 double overshoot_of(const Animated<Value>& animated)
 {
@@ -62,7 +62,7 @@ Extent extent_of(const Drawing& drawing)
     return extent;
 }
 
-/// How far beyond its drawing a shape's line is seen.
+/// How far a shape's line reaches beyond its drawing.
 double stroke_reach(const StrokeStyle& stroke)
 {
     const double widths = stroke.join == Join::miter ? std::max(stroke.miter_limit, std::numbers::sqrt2)
@@ -70,7 +70,7 @@ double stroke_reach(const StrokeStyle& stroke)
     return 0.5 * greatest(stroke.width) * widths;
 }
 
-/// Bones keep what they carry within the sum of all their lengths and ways.
+/// Bones keep what they deform within the sum of all their lengths and motions.
 double rig_reach(const Rig& rig, const Extent& extent)
 {
     const Vec2 root = rig.bones.front().from;
@@ -90,7 +90,7 @@ bool turns_in_space(const Transform& transform)
     return !is_zero(transform.rotate_x) || !is_zero(transform.rotate_y);
 }
 
-/// Whether it is one affine map at all times, but for its place.
+/// Whether it is one affine map at all times, apart from its position.
 bool keeps_form(const Transform& transform)
 {
     return !turns_in_space(transform) && transform.rotate.is_still() && transform.scale_x.is_still() &&
@@ -249,7 +249,7 @@ double perspective_scale_factor(const Document& document, const Extent& all)
     const double camera = document.camera.value_or(2 * std::max(document.width, document.height));
     const double scale_factor = camera / (camera - std::clamp(all.z.high, 0.0, nearest * camera));
     const double away = std::hypot(farthest(all.x, document.width / 2), farthest(all.y, document.height / 2));
-    // A motion across the canvas grows by that; one towards the viewer moves what is far from the middle.
+    // A motion across the canvas is scaled by that; one towards the viewer moves what is far from the middle.
     return scale_factor * (1 + away * scale_factor / camera);
 }
 

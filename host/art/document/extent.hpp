@@ -17,7 +17,7 @@ struct Range {
     void take(Range other);
 };
 
-/// Where something is at all times: never too small a box, in pixels.
+/// A box that contains something at all times, in pixels: never too small.
 struct Extent {
     Range x;
     Range y;
@@ -27,33 +27,33 @@ struct Extent {
     void take(const Extent& other);
 };
 
-/// What the channel comes to, swings beyond its keys included.
+/// The range of the channel's values, overshoots included.
 Range range_of(const Channel& channel);
-/// The greatest amount of it.
+/// The greatest absolute value of it.
 double greatest(const Channel& channel);
 
-/// Of what a shape draws, its line included, in its own coordinates.
+/// The extent of what a shape draws, its line included, in its own coordinates.
 Extent extent_of(const Shape& shape, std::span<const Rig> rigs);
 
-/// Of content after the transform.
+/// The extent of content after the transform.
 Extent placed(const Extent& content, const Transform& transform);
 
-/// The farthest that content is from the anchor of the transform, before it grows.
+/// The farthest that content is from the anchor of the transform, before scaling.
 double reach_of(const Extent& content, const Transform& transform);
 
-/// By how much the transform makes distances larger at most; above 0.
+/// The factor by which the transform enlarges distances at most; above 0.
 double scale_factor_of(const Transform& transform);
 
-/// Likewise of its skew alone; at least 1.
+/// The same factor for its skew alone; at least 1.
 double skew_scale_factor(const Transform& transform);
 
-/// By how much the bones of the rig make distances larger at most; at least 1.
+/// The factor by which the bones of the rig enlarge distances at most; at least 1.
 double play_range_of(const Rig& rig);
 
-/// Whether anything lies in front of the canvas or behind it, or turns out of it.
+/// Whether anything is in front of the canvas or behind it, or rotates out of it.
 bool has_depth(const Document& document);
 
-/// By how much the perspective makes motions larger at most, those towards the viewer included; at least 1.
+/// The factor by which perspective enlarges motions at most, those towards the viewer included; at least 1.
 /// `all` is what the document has before its perspective.
 double perspective_scale_factor(const Document& document, const Extent& all);
 

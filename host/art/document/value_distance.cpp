@@ -12,7 +12,7 @@ using scene::Vec2;
 
 Vec2 between(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
-/// Walks through the points of a drawing on its way, lines as cubics.
+/// Walks through the points of a tweened drawing, lines as cubics.
 class Points {
 public:
     explicit Points(const OnWay<Drawing>& way) : way_{way} {}

@@ -7,7 +7,7 @@
 
 namespace kfast::art {
 
-/// In radians.
+/// One degree in radians.
 inline constexpr double degree = std::numbers::pi / 180;
 
 /// Maps (x, y) to (a x + c y + e, b x + d y + f), the order of SVG's matrix(a b c d e f).
@@ -26,7 +26,7 @@ struct Affine {
     scene::Outline of(const scene::Outline& outline) const;
     constexpr double determinant() const { return a * d - b * c; }
 
-    /// The way back. Nothing where all is flattened to a line.
+    /// The inverse map. Nothing if it is singular.
     std::optional<Affine> inverse() const;
 
     friend bool operator==(const Affine&, const Affine&) = default;
@@ -42,9 +42,9 @@ constexpr Affine operator*(const Affine& outer, const Affine& inner)
 
 constexpr Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
 constexpr Affine grown(double x, double y) { return {x, 0, 0, y, 0, 0}; }
-/// Clockwise on the screen.
+/// A rotation, clockwise on the screen.
 Affine turned(double degrees);
-/// As a Transform leans: turned by the axis, sheared so that what lies higher goes to the right, turned back.
+/// The skew of a Transform: rotated by the axis, sheared so that what is higher goes right, rotated back.
 Affine skewed(double degrees, double axis);
 
 }

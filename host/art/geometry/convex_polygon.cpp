@@ -58,7 +58,7 @@ std::vector<Vec2> corners_of(const Outline& outline)
 
 }
 
-// On the line itself as well, so that what lies along it does not flicker.
+// On the line itself as well, so that what runs along it does not flicker.
 double ConvexPolygon::Side::depth(Vec2 spot) const
 {
     constexpr double breadth = 1e-3;

@@ -60,8 +60,8 @@ double distance(const CubicPiece& left, const CubicPiece& right)
     CubicPiece apart;
     for (std::size_t i = 0; i < 4; ++i)
         apart.points[i] = left.points[i] - right.points[i];
-    // The difference of two cubics is a cubic, which lies within its control points; those of its halves are
-    // nearer to it.
+    // The difference of two cubics is a cubic, which is within the hull of its control points; those of its
+    // halves are nearer.
     return std::max(farthest(apart.between(0, 0.5)), farthest(apart.between(0.5, 1)));
 }
 
@@ -113,7 +113,7 @@ double speed(Vec2 from, const Curve& curve, double t)
     return distance(Vec2{}, velocity);
 }
 
-/// Of a cubic between two parameters, by Gauss-Legendre's rule of three points.
+/// The length of a cubic between two parameters, by the three-point Gauss-Legendre rule.
 double piece_length(Vec2 from, const Curve& curve, double begin, double end)
 {
     constexpr double offset = 0.774596669241483377; // the square root of 3/5
@@ -155,7 +155,7 @@ double curve_parameter(Vec2 from, const Curve& curve, double length)
         if (std::abs(off) < 1e-10 * whole)
             break;
         (off < 0 ? low : high) = t;
-        // By Newton's method, or by halves where that leads astray.
+        // By Newton's method, or by bisection where that diverges.
         const double next = t - off / speed(from, curve, t);
         t = next > low && next < high ? next : (low + high) / 2;
     }

@@ -92,7 +92,7 @@ namespace {
 
 Vec2 between(Vec2 a, Vec2 b, double share) { return a + share * (b - a); }
 
-/// The polar form of a cubic Bézier: its control points over other stretches are values of it.
+/// The polar form of a cubic Bézier: the control points of its subsegments are values of it.
 Vec2 blossom(Vec2 from, const Curve& curve, double r, double s, double t)
 {
     const Vec2 first = between(from, curve.c1, r);
@@ -101,7 +101,7 @@ Vec2 blossom(Vec2 from, const Curve& curve, double r, double s, double t)
     return between(between(first, second, s), between(second, third, s), t);
 }
 
-/// From where a curve is at `begin` to `end`, both parameters.
+/// The subsegment of a curve from the parameter `begin` to `end`.
 Curve stretch(Vec2 from, const Curve& curve, double begin, double end)
 {
     if (!curve.cubic)
@@ -110,7 +110,7 @@ Curve stretch(Vec2 from, const Curve& curve, double begin, double end)
                            spot_on(from, curve, end));
 }
 
-/// Where in the pattern one is.
+/// The current position in the dash pattern.
 class Rhythm {
 public:
     /// Their sum is above 0.
@@ -149,7 +149,7 @@ private:
 /// In pixels. A dash that ends or begins at a corner goes around it by less, as sums of lengths are rounded.
 constexpr double shortest = 1e-6;
 
-/// Of one outline.
+/// Dashes one outline.
 class Dasher {
 public:
     Dasher(const Rhythm& rhythm, Budget& budget, Drawing& result)
@@ -206,7 +206,7 @@ private:
             dash_->curves.push_back(stretch(from, curve, first, curve_parameter(from, curve, end)));
     }
 
-    /// The dash that goes on with `first`, if there is one, takes its place.
+    /// The dash that continues into `first`, if there is one, replaces it.
     void end_dash(Outline* first)
     {
         if (!dash_)

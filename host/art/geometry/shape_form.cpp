@@ -14,7 +14,7 @@ using scene::Outline;
 using scene::Stroke;
 using scene::Vec2;
 
-/// Of the powers of ten up to the fifth, and of 1/32: the middle of two coordinates lies there.
+/// Powers of ten up to the fifth, and 32: midpoints of two coordinates are multiples of 1/32.
 constexpr std::array<double, 7> finenesses = {1, 10, 32, 100, 1'000, 10'000, 100'000};
 
 double rounded(double value, double fineness) { return std::round(value * fineness) / fineness; }
@@ -54,7 +54,7 @@ std::optional<ShapeForm> round_form(const Box& box, const Stroke& stroke, double
     return std::nullopt;
 }
 
-/// Of both radii the larger: the other one is cut to half of its side. Where corners take all of the upper
+/// The larger of both radii: the other one is cut to half of its side. Where corners take all of the upper
 /// side, the first curve is a corner already.
 double corner_radius(const Outline& outline, const Box& box)
 {
@@ -72,7 +72,7 @@ std::optional<ShapeForm> rect_form(double radius, const Box& box, const Stroke& 
     return std::nullopt;
 }
 
-/// The first that `form_with` has, with the fewest decimals.
+/// The first form that `form_with` returns, with the fewest decimals.
 template <typename FormWith>
 ShapeForm first_form(const FormWith& form_with)
 {

@@ -34,7 +34,7 @@ struct PathForm {};
 using ShapeForm = std::variant<PathForm, CircleForm, EllipseForm, RectForm, PolygonForm, LineForm>;
 
 /// The shape that the scene's compiler turns into exactly the same stroke, point by point, after its rounding
-/// to 1/16 px. Its numbers have the fewest decimals, up to five, with which that is so; corners of polygons
+/// to 1/16 px. Its numbers have the fewest decimals, up to five, for which that holds; corners of polygons
 /// and lines are multiples of 1/16 px. Outlines that nothing else draws, and those that are not in_range(),
 /// are paths.
 ShapeForm shape_form(const scene::Outline& outline);

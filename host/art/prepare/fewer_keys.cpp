@@ -41,12 +41,12 @@ public:
 
 private:
     struct Reach {
-        std::size_t end; ///< index of the key that one way leads to
+        std::size_t end; ///< index of the key at which the transition ends
         Ease ease;
     };
 
-    /// How far what is smooth must be from two straight ways that meet at a key at an angle: of evenly spaced
-    /// chords of a parabola that is an eighth of how far the key is from the middle of its neighbours.
+    /// How far a smooth curve must be from two straight lines that meet at a key at an angle: for evenly
+    /// spaced chords of a parabola that is an eighth of how far the key is from the middle of its neighbours.
     double kink_at(std::size_t key) const
     {
         if (keys_[key - 1].ease.kind != EaseKind::linear || keys_[key].ease.kind != EaseKind::linear ||
@@ -79,7 +79,7 @@ private:
         return true;
     }
 
-    /// Where directions are seen, those of what moves at all are looked at way by way.
+    /// Where directions are visible, those of all that moves are checked transition by transition.
     double constant_tolerance() const { return edge_.arms.empty() ? tolerance_ : 0; }
 
     Reach farthest_from(std::size_t begin)
@@ -91,8 +91,8 @@ private:
         return best;
     }
 
-    /// How many ways a new ease must take the place of to save bytes: it takes about as many as six keys of a
-    /// number, as those do that it makes superfluous. Keys of drawings are larger.
+    /// How many transitions a new ease must replace to save bytes: it takes about as many as six keys of a
+    /// number, as do those that it makes superfluous. Keys of drawings are larger.
     std::size_t min_fitted(std::size_t begin) const
     {
         constexpr int ease_cost = 6;
@@ -186,7 +186,7 @@ private:
         return false;
     }
 
-    /// Behind the key's own time, and before that of the next one or, of the limit from below, at it.
+    /// For times after that of the key, and before that of the next one or, as the limit from below, at it.
     double share_at(std::size_t key, double time) const
     {
         if (keys_[key].ease.kind == EaseKind::hold)
@@ -216,7 +216,7 @@ private:
 
     static constexpr int max_halvings = 8;
 
-    /// A new way from key `begin` to key `end`, where it takes the place of the one that leaves `key`.
+    /// A new transition from key `begin` to key `end`, where it replaces the one that leaves `key`.
     struct Stretch {
         std::size_t begin;
         std::size_t end;
@@ -224,8 +224,8 @@ private:
         const Ease& ease;
     };
 
-    /// Both ways are near the straight ones between where they are at two moments, by what they bend, and
-    /// straight ways are farthest apart at one of their ends. So this is proven for all times between.
+    /// Both transitions are within their bend of the straight lines between their values at two times, and
+    /// straight lines are farthest apart at one of their ends. So this is proven for all times between.
     bool is_near(const Stretch& at, double from, double to, int halvings) const
     {
         const double apart = std::max(distance_at(at, from), distance_at(at, to));
@@ -265,7 +265,7 @@ private:
         });
     }
 
-    /// By how much a vector may turn that is off its straight way by `off` at most.
+    /// How much a vector may rotate that is off its straight line by at most `off`.
     static double stray(double off, const TweenedVector& vector)
     {
         if (off == 0)
@@ -274,13 +274,13 @@ private:
         return off < length ? std::asin(off / length) : std::numbers::pi;
     }
 
-    /// Of the share of a way from key `begin` to key `end`, between two moments.
+    /// The bend of the progress from key `begin` to key `end`, between two times.
     double bend(const Ease& ease, std::size_t begin, std::size_t end, double from, double to) const
     {
         return bend_of(ease, fraction(begin, end, from), fraction(begin, end, to));
     }
 
-    /// Of a way, if it is needed.
+    /// The length of a transition, if it is needed.
     double length(std::size_t begin, std::size_t end, double bend) const
     {
         return bend > 0 ? distance(keys_[begin].value, keys_[end].value) : 0;
@@ -297,7 +297,7 @@ private:
                         {keys_[at.begin].value, keys_[at.end].value, new_share(at, time)});
     }
 
-    /// The first value holds before, the last one behind.
+    /// The first value holds before, the last one after.
     static std::vector<Key<Value>> without_still_ends(std::vector<Key<Value>> keys)
     {
         const auto same = [](const Key<Value>& left, const Key<Value>& right) {

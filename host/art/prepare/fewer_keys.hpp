@@ -8,7 +8,7 @@
 
 namespace kfast::art {
 
-/// The eases that simplification brings into a document: few, for the scene has a table of limited length.
+/// The eases that simplification adds to a document: few, for the scene's table of them is limited.
 class NewEases {
 public:
     static constexpr std::size_t max = 64;
@@ -23,21 +23,21 @@ private:
     std::size_t fits_ = 0;
 };
 
-/// Leaves out keys, and gives ways between others a new ease, as long as the value is never further than
-/// `tolerance` from what it was, as distance() measures it. Keys that stay keep time and value.
+/// Leaves out keys, and gives transitions between others a new ease, as long as the value is never further
+/// than `tolerance` from what it was, by distance(). Keys that stay keep time and value.
 void leave_out_keys(Channel& channel, double tolerance, NewEases& eases);
 void leave_out_keys(Animated<Rgb>& colour, double tolerance, NewEases& eases);
-/// Keys next to those of another form stay.
+/// The same for drawings; keys next to those of another form stay.
 void leave_out_keys(Animated<Drawing>& drawing, double tolerance, NewEases& eases);
 
-/// What a line along a drawing shows of its directions.
+/// How a line along a drawing makes its directions visible.
 struct LineEdge {
     std::vector<CornerArm> arms; ///< of the drawing's keys
     double half_width = 0;
     double tolerance = 0; ///< how far it may move, on top of points
 };
 
-/// Likewise, and corners and ends of a line move by no more than its edge says.
+/// The same, and corners and ends of a line move by no more than its edge allows.
 void leave_out_keys(Animated<Drawing>& drawing, double tolerance, const LineEdge& edge, NewEases& eases);
 
 }

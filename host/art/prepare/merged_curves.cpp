@@ -38,7 +38,7 @@ void merge_curves(Shape& shape, double tolerance)
         outlines.reserve(keys.size());
         for (auto& key : keys)
             outlines.push_back(&key.value.outlines[i]);
-        // What corners and ends of a line show of turns comes on top of what points move.
+        // How far corners and ends of a line move by rotation adds to how far points move.
         if (has_edge(shape.stroke, outlines.front()->closed))
             MergedOutline{outlines, tweens, tolerance / 2, edge_of(*shape.stroke, tolerance / 2)}.write();
         else

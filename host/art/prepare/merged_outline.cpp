@@ -12,7 +12,7 @@ namespace {
 using scene::Outline;
 using scene::Vec2;
 
-/// Of the tolerance, what straight lines instead of curves may take; the rest is for merging.
+/// The fraction of the tolerance for straight lines instead of curves; the rest is for merging.
 constexpr double straight_share = 0.25;
 
 /// Bytes of a curve compared with those of a line as short as its parts would be, about.
@@ -82,7 +82,7 @@ void MergedOutline::write()
     }
 }
 
-/// Those that are points in all keys.
+/// Drops the segments that are points in all keys.
 void MergedOutline::drop_points()
 {
     std::size_t kept = 0;
@@ -109,7 +109,7 @@ void MergedOutline::straighten()
     }
 }
 
-/// Whether its control points lie, in all keys, at the same shares of the chord, so that it is straight in
+/// Whether its control points are, in all keys, at the same fractions of the chord, so that it is straight in
 /// tweens, too; and between its ends, so that it goes no further. They weigh at most 3/4 together.
 bool MergedOutline::is_straight(std::size_t segment) const
 {
@@ -146,7 +146,7 @@ std::vector<Vec2> MergedOutline::directions(std::size_t segment, const Direction
     return result;
 }
 
-/// Two arms of a corner may turn by that, and each of them once when it gets straight and once when it is
+/// Two arms of a corner may rotate by that, and each of them once when it is straightened and once when it is
 /// merged: a quarter of the tolerance each.
 bool MergedOutline::turns_little(std::span<const Vec2> before, std::span<const Vec2> now, double factor) const
 {
@@ -174,8 +174,8 @@ void MergedOutline::find_joins()
         smooth_until_[i - 1] = widths_[i] > 0 ? smooth_until_[i] : i;
 }
 
-/// Whether the outline goes on smoothly there, and no tip of a line is lost: at an angle it stands out by
-/// half the width divided by the cosine of half the angle.
+/// Whether the outline goes on smoothly there, and no tip of a line is lost: at an angle it protrudes by half
+/// the width divided by the cosine of half the angle.
 bool MergedOutline::can_merge_at(std::size_t segment)
 {
     constexpr double min_slope = 1e-6;
@@ -298,7 +298,7 @@ std::optional<MergedOutline::Run> MergedOutline::curve(std::size_t begin, std::s
     return keeps_ends(run) ? std::optional{std::move(run)} : std::nullopt;
 }
 
-/// With samples inside of each segment, as they take of the parameter.
+/// Fits with samples inside of each segment, in proportion to its part of the parameter.
 CubicPiece MergedOutline::fitted(std::size_t key, std::size_t begin, const std::vector<double>& shares,
                                  Handles handles) const
 {
@@ -330,7 +330,7 @@ bool MergedOutline::keeps_ends(const Run& run) const
 }
 
 /// Where the outline goes on smoothly there is no tip: with less than 1/2 between them, two arms meet at most
-/// 1.04 half widths away, and a turn moves that by less than 1.25 of them.
+/// 1.04 half widths away, and a rotation moves that by less than 1.25 of them.
 double MergedOutline::end_growth(std::size_t segment) const
 {
     constexpr double smooth_growth = 1.25;

@@ -11,21 +11,21 @@
 
 namespace kfast::art {
 
-/// What keeps the directions of an outline: the edge of a line along it, of which nothing is 0 if there is
-/// one with corners or ends that show them.
+/// What preserves the directions of an outline: the edge of a line along it; no value is 0 if there is a line
+/// with corners or ends that show them.
 struct OutlineEdge {
     double half_width = 0;
-    double corner_factor = 1; ///< how far a tip may go when its arm turns, in half widths times radians
+    double corner_factor = 1; ///< how far a tip may move when its arm rotates, in half widths per radian
     double tolerance = 0;
 };
 
 /// Merges the segments of one outline in all of its keys at once.
 ///
-/// Every segment is a cubic, and in all keys the same segments become one, with the same shares of its
+/// Every segment is a cubic, and in all keys the same segments become one, with the same fractions of its
 /// parameter. So the error at a parameter is, in a tween, the mix of the errors in its keys; what is within
-/// the tolerance in all keys is so between them, and where an ease swings beyond its keys the tolerance is
-/// divided by how much that can grow the errors. Where a line along the outline shows its directions, they
-/// turn by no more than its edge allows; if need be, not at all.
+/// the tolerance in all keys is so between them, and where an ease overshoots its keys the tolerance is
+/// divided by how much that can enlarge the errors. Where a line along the outline shows its directions, they
+/// rotate by no more than its edge allows; if need be, not at all.
 class MergedOutline {
 public:
     /// One outline for each key, all of the same form.
@@ -44,7 +44,7 @@ private:
         std::vector<CubicPiece> pieces; ///< of each key
     };
 
-    /// Whether those of a new segment may turn, or keep the directions of the segments that it replaces.
+    /// Whether those of a new segment may rotate, or keep the directions of the segments that it replaces.
     enum class Handles { free, kept };
 
     void read();
@@ -78,7 +78,7 @@ private:
     OutlineEdge edge_;
     std::vector<std::vector<CubicPiece>> pieces_; ///< by key, then by segment
     std::vector<bool> straight_;                  ///< whether a segment is a line in all keys
-    /// How much of the parameter a segment takes, compared with the one before it; 0 if they are not merged.
+    /// How much of the parameter a segment takes, relative to the one before it; 0 if they are not merged.
     std::vector<double> widths_;
     std::vector<std::size_t> smooth_until_; ///< by segment: where merging must end
 };

@@ -19,7 +19,7 @@ namespace {
 using scene::Outline;
 using scene::Vec2;
 
-/// Multiplies lengths and places, at any time.
+/// Multiplies lengths and positions, at all times.
 class Growth {
 public:
     explicit Growth(double factor) : factor_{factor} {}
@@ -100,7 +100,7 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Drawings of different form are tweened by the player alone: only the ends of such a way are known.
+/// Drawings of different form are tweened by the player alone: only the ends of such a transition are known.
 template <typename Value>
 bool can_divide(const Value&, const Value&)
 {
@@ -108,7 +108,7 @@ bool can_divide(const Value&, const Value&)
 }
 bool can_divide(const Drawing& from, const Drawing& to) { return same_form(from, to); }
 
-/// Cuts animations to a stretch of time, from 0 on.
+/// Cuts animations to a range of time that begins at 0.
 class Crop {
 public:
     explicit Crop(double frames) : frames_{frames} {}
@@ -129,7 +129,7 @@ public:
         animated.keys = std::move(kept);
     }
 
-    /// Whether a way began before 0 that could not be divided: it begins at 0 now.
+    /// Whether a transition began before 0 that could not be divided: it begins at 0 now.
     bool shortened() const { return shortened_; }
 
 private:
@@ -173,12 +173,12 @@ private:
     bool shortened_ = false;
 };
 
-/// What is seen all through the scene is so without bounds.
+/// What is visible all through the scene gets an unbounded span.
 std::vector<Span> cropped(const std::vector<Span>& shown, const Document& document)
 {
     std::vector<Span> kept;
     for (const Span& span : shown) {
-        // A scene that repeats never shows the moment of its end.
+        // A scene that repeats never shows the time of its end.
         const bool ends_behind =
             span.to > document.frames || (span.to == document.frames && document.loop == Loop::repeat);
         const bool begins_behind =
@@ -233,8 +233,8 @@ void crop(Document& document, Losses& losses)
 
 namespace {
 
-/// Parts of 1 to which controls are rounded, the finest first; that of the scene language is none, for it
-/// loses nothing.
+/// Controls are rounded to 1 divided by these, the finest first; that of the scene language is not among the
+/// losses, for it loses nothing.
 constexpr std::array grids{8192.0, 128.0, 64.0, 32.0, 16.0, 8.0, 4.0, 2.0};
 
 Ease rounded(const Ease& ease, double grid)

@@ -14,21 +14,21 @@
 #include <map>
 #include <numbers>
 
-// How the tolerance is shared, so that all that is done to something seen moves it by no more than that:
-// half of it belongs to the drawing, half to the transforms around it, where as many channels as move it on
-// its way to the canvas, its own and those of all groups around it, have equal parts. A drawing that no
-// channel moves has all. Of the share of a drawing with several keys, five eighths go into making them equal
-// and leaving them out, the rest into merging its curves; a still one has all for that.
+// How the tolerance is divided, so that everything together moves what is visible by no more than that: half
+// of it belongs to the drawing, half to the transforms around it, where all channels that move it on its way
+// to the canvas, its own and those of all groups around it, have equal parts. A drawing that no channel moves
+// has all. Of the part of a drawing with several keys, five eighths go into making them equal and leaving
+// them out, the rest into merging its curves; a still one has all for that.
 //
-// A part is turned into a tolerance of the channel by how far what it moves can be from the anchor, and by
+// A part is converted to a tolerance of the channel by how far what it moves can be from the anchor, and by
 // how much the groups around enlarge it at most; perspective included.
 namespace kfast::art {
 namespace {
 
-/// Of opacities, which are stored in 1/255, and of which some lie over each other.
+/// For opacities, which are stored in 1/255, and some of which are stacked.
 constexpr double opacity_tolerance = 0.25 / 255;
 constexpr double colour_tolerance = 0.5 / 255;
-/// Of what bones do: nothing but what rounding made.
+/// For the channels of bones: nothing but rounding errors.
 constexpr double bone_tolerance = 1e-9;
 
 int moves(const Channel& channel)
@@ -50,7 +50,7 @@ int moving_channels(const Transform& transform)
 /// What has to be known of a node before it is changed.
 struct Measured {
     Extent content;   ///< in its own coordinates
-    int channels = 0; ///< that move something in it: the most on one way, its own included
+    int channels = 0; ///< that move something in it: the most on one path, its own included
     std::vector<Measured> inner;
 };
 
@@ -104,11 +104,11 @@ std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const R
 
 /// What is around a node.
 struct Around {
-    double scale_factor = 1; ///< what is a pixel of it is at most so many on the canvas
+    double scale_factor = 1; ///< a pixel of it is at most this many on the canvas
     int channels = 0;        ///< that move it
 };
 
-/// Keys that are nearly equal become so: what stands still or comes again is stored once.
+/// Keys that are nearly equal become equal: what does not change or recurs is stored once.
 void make_equal(Animated<Drawing>& drawing, double tolerance)
 {
     auto& keys = drawing.keys;
@@ -127,7 +127,7 @@ bool has_corners(const std::optional<StrokeStyle>& stroke)
     return stroke && (stroke->join != Join::round || stroke->cap != Cap::round);
 }
 
-/// Not too short.
+/// The length of the path; never too short.
 double way_length(const MotionPath& path)
 {
     constexpr double slack = 1.01;
@@ -157,7 +157,7 @@ public:
     }
 
 private:
-    /// A simplified transform, and by how much it makes things larger.
+    /// A simplified transform, and its scale factor.
     struct Placing {
         Transform transform;
         double scale_factor;
@@ -191,11 +191,11 @@ private:
         return scale_factor;
     }
 
-    /// `share` is in pixels around the node. Returns by how much the transform makes things larger.
+    /// `share` is in pixels around the node. Returns the scale factor of the transform.
     double simplify(Transform& transform, const Extent& content, double share)
     {
         const double before = scale_factor_of(transform);
-        // What is inside may have moved by its own share of the tolerance.
+        // What is inside may have moved by its own part of the tolerance.
         const double reach = std::max(1.0, reach_of(content, transform) + tolerance_ / before);
         const double scale = share / (reach * skew_scale_factor(transform));
         const double scale_factor =
@@ -215,7 +215,7 @@ private:
         return scale_factor;
     }
 
-    /// In the shape's own pixels: of one of its channels, and of its drawing.
+    /// The tolerances, of one of its channels and of its drawing, are in the shape's own pixels.
     void simplify(Shape& shape, double share, double drawing_share)
     {
         if (shape.fill)
@@ -227,8 +227,8 @@ private:
         simplify_drawing(shape, drawing_share);
     }
 
-    /// Each stretch of keys of one form by itself; where the player tweens from one form to another, what it
-    /// does depends on their segments, and these stay.
+    /// Simplifies each sequence of keys of one form by itself; where the player tweens from one form to
+    /// another, what it does depends on their segments, and these stay.
     void simplify_drawing(Shape& shape, double share)
     {
         auto keys = std::move(shape.drawing.keys);
@@ -255,7 +255,7 @@ private:
         const Ease leaving = keys.back().ease;
         if (!is_still)
             simplify_keys(shape, share * keys_share);
-        // Other forms before and behind it begin when they did.
+        // Other forms before and after it begin when they did.
         if (keys.front().time > begin)
             keys.insert(keys.begin(), {begin, keys.front().value, {}});
         if (keys.back().time < end && leaving.kind != EaseKind::hold)

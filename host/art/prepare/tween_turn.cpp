@@ -194,7 +194,7 @@ private:
     {
         if (greatest_turn(before, behind, tweens_) <= smooth_turn)
             return;
-        // Both may turn.
+        // Both may rotate.
         arms.push_back({std::move(before), 2 * corner_factor_});
         arms.push_back({std::move(behind), 2 * corner_factor_});
     }
@@ -231,7 +231,7 @@ double corner_motion(std::span<const CornerArm> arms, std::span<const TweenRange
 {
     double max = 1;
     for (const CornerArm& arm : arms)
-        // It turns by at most twice the motion divided by its length.
+        // It rotates by at most twice the motion divided by its length.
         max = std::max(max, 1 + 2 * arm.factor * half_width / shortest(arm.directions, tweens));
     return max;
 }

@@ -8,8 +8,8 @@ namespace kfast {
 
 namespace {
 
-constexpr double widest = 8; ///< across, as far as the format reaches
-/// What rounding adds to a place, in shares of a cell.
+constexpr double widest = 8; ///< across, the most that the format holds
+/// What rounding adds to a position, in fractions of a cell.
 constexpr double noise = 1e-7;
 
 /// The real solutions of a x^2 + b x + c = 0; none, one or two.
@@ -38,7 +38,7 @@ Roots roots_of(double a, double b, double c)
     return roots;
 }
 
-/// The share of the way from `a` to `b` that is nearest to `spot`.
+/// The fraction of the line from `a` to `b` at which it is nearest to `spot`.
 double nearest_share(Vec2 a, Vec2 b, Vec2 spot)
 {
     const Vec2 way = b - a;
@@ -71,7 +71,7 @@ Vec2 BackboneCell::spot_at(CellPlace place) const
     return corner_ + place.along * along_ + place.across * (across_ + place.along * twist_);
 }
 
-// With h from the corner to the spot, h - w across lies along (along + w twist): their cross product is 0.
+// With h from the corner to the spot, h - w across is along (along + w twist): their cross product is 0.
 std::optional<CellPlace> BackboneCell::place_of(Vec2 spot) const
 {
     const Vec2 h = spot - corner_;
@@ -152,7 +152,7 @@ void BackboneCells::add_cells(std::span<const BackboneNode> nodes, std::size_t f
 {
     const std::int32_t backbone = nodes[first].backbone;
     std::size_t last = first;
-    while (nodes[last + 1].backbone >= 0) // a gap is behind each backbone
+    while (nodes[last + 1].backbone >= 0) // a gap follows each backbone
         ++last;
     reaches_.push_back({static_cast<double>(first), static_cast<double>(last)});
     for (std::size_t i = first; i < last; ++i) {

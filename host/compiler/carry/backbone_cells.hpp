@@ -14,15 +14,15 @@ using scene::Vec2;
 
 Vec2 in_pixels(Point point);
 
-/// Where a point is in a cell, in shares of it: along the backbone, and away from it.
+/// Where a point is in a cell, in fractions of it: along the backbone, and away from it.
 struct CellPlace {
     double along = 0;
     double across = 0;
 };
 
-/// What lies between two nodes of a backbone and their outline points on one side.
+/// The quadrilateral between two nodes of a backbone and their outline points on one side.
 ///
-/// Only operations that every machine rounds alike are used, so that a scene compiles to the same bytes
+/// Only operations that every machine rounds identically are used, so that a scene compiles to the same bytes
 /// everywhere.
 class BackboneCell {
 public:
@@ -32,12 +32,12 @@ public:
                  double last);
 
     Vec2 spot_at(CellPlace place) const;
-    /// Where `spot` is, if that is within what the cell reaches to: the backbone on one hand, and as far as
-    /// the format goes on the other.
+    /// Where `spot` is, if the cell reaches that far: to the backbone on one side, and as far as the format
+    /// goes on the other.
     std::optional<CellPlace> place_of(Vec2 spot) const;
-    /// Of the points of the quadrilateral, the nearest to `spot`.
+    /// The point of the quadrilateral that is nearest to `spot`.
     CellPlace nearest(Vec2 spot) const;
-    /// False for sure where `spot` is not inside of the box around the quadrilateral.
+    /// False if `spot` is outside of the bounding box of the quadrilateral.
     bool may_contain(Vec2 spot) const;
 
 private:
@@ -53,7 +53,7 @@ private:
     double last_;
 };
 
-/// In the quadrilateral itself.
+/// Whether it is in the quadrilateral itself.
 bool is_inside(CellPlace place);
 
 /// A point in relative coordinates (docs/format.md, "Backbones"), a segment of a backbone being 1 long and
@@ -63,21 +63,21 @@ struct RelativePoint {
     double across = 0;
     std::int32_t backbone = 0;
     double limit = 0;        ///< along is less: what follows belongs to the next backbone
-    double distance = 0;     ///< pixels that lie between the point and its cell; 0 in the cell
-    bool is_deformed = true; ///< false if it has no place there and was moved to the nearest
+    double distance = 0;     ///< pixels between the point and its cell; 0 in the cell
+    bool is_deformed = true; ///< false if it has no position there and was moved to the nearest
 };
 
-/// The cells of all backbones at one moment.
+/// The cells of all backbones at one time.
 class BackboneCells {
 public:
     explicit BackboneCells(std::span<const BackboneNode> nodes);
 
-    /// Where `spot` is: in the first of the cells that contain it, of those of `preferred` if there are such;
+    /// Where `spot` is: in the first of the cells that contain it, of those of `preferred` if there are any;
     /// else in the nearest cell that reaches as far.
     RelativePoint place_of(Vec2 spot, std::optional<std::int32_t> preferred = std::nullopt) const;
-    /// Likewise, but in a cell of `backbone` in any case.
+    /// The same, but always in a cell of `backbone`.
     RelativePoint place_on(Vec2 spot, std::int32_t backbone) const;
-    /// The backbone in whose cells most of `spots` lie, the first of equals.
+    /// The backbone in whose cells most of `spots` are; the first of equals.
     std::int32_t main_backbone(std::span<const Vec2> spots) const;
 
     /// Where the nodes of a backbone are, along.

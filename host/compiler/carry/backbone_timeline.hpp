@@ -10,10 +10,10 @@
 
 namespace kfast {
 
-/// The drawing that stands for a skeleton: for each backbone its nodes, its left and its right outline.
+/// The drawing that represents a skeleton: for each backbone its nodes, its left and its right outline.
 scene::Drawing drawing_of(const std::vector<scene::Backbone>& backbones);
 
-/// The backbones of an object at any moment, exactly as the player has them.
+/// The backbones of an object at any time, exactly as the player has them.
 class BackboneTimeline {
 public:
     /// `keys` has a key at least and must outlive this.

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// Returns the backbone that carries the point.
+    /// Returns the backbone that deforms the point.
     std::int32_t look_at(Point point, std::int32_t main)
     {
         constexpr double rounding = 1.0 / 8; // px
@@ -73,7 +73,7 @@ private:
         return place.backbone;
     }
 
-    /// Control points may lie anywhere, as long as they can be carried.
+    /// Control points may be anywhere, as long as they can be deformed.
     void look_at_control(Point point, std::int32_t backbone)
     {
         if (cells_.place_on(in_pixels(point), backbone).is_deformed)
@@ -91,12 +91,12 @@ private:
 
     const BackboneCells& cells_;
     std::size_t outside_ = 0;
-    std::size_t moved_ = 0; ///< of them, because they cannot be carried where they are
+    std::size_t moved_ = 0; ///< of them, because they cannot be deformed where they are
     Vec2 first_;            ///< of them
 };
 
-/// Warns of the points of a key's drawing that lie in none of `cells`, which are those at its time. What is
-/// less than 1/8 px outside, as rounding makes it, does not count.
+/// Warns of the points of a key's drawing that are in none of `cells`, which are those at its time. Less than
+/// 1/8 px outside, as from rounding, does not count.
 void warn_of_outside_points(const scene::Key& key, const BackboneCells& cells, Diagnostics& diagnostics)
 {
     OutsidePoints points{cells};
@@ -105,7 +105,7 @@ void warn_of_outside_points(const scene::Key& key, const BackboneCells& cells, D
     points.warn(key.place, diagnostics);
 }
 
-/// Nothing moves between two keys that these govern.
+/// Whether nothing moves between two keys that these govern.
 bool hold(const LawPair& laws)
 {
     return laws.x.kind == VelocityLaw::Kind::hold && laws.y.kind == VelocityLaw::Kind::hold;
@@ -164,8 +164,8 @@ private:
     void add_moving(const KeyTween& tween, Time next)
     {
         KeyTween moving = tween;
-        // On its own key an empty drawing is nothing; from there on, strokes grow out of points, which are
-        // seen where they have round caps.
+        // On its own key an empty drawing is nothing; after that, strokes grow out of points, which are
+        // visible if they have round caps.
         constexpr Time tick{1};
         if (tween.ends.from.strokes.empty() && object_.stroke && tween.time + tick < next) {
             KeyTween nothing = tween;
@@ -212,7 +212,7 @@ private:
     BackboneTimeline backbones_;
     Diagnostics& diagnostics_;
     std::vector<KeyTween> tweens_;
-    std::vector<RelativeDrawing> relative_; ///< the two ends of each way
+    std::vector<RelativeDrawing> relative_; ///< the two ends of each tween
 };
 
 }

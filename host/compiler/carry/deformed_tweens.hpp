@@ -13,7 +13,7 @@
 
 namespace kfast {
 
-/// What carries `object`.
+/// What deforms `object`.
 inline Deformer deformer_of(const scene::Object& object)
 {
     if (object.skin)
@@ -21,8 +21,8 @@ inline Deformer deformer_of(const scene::Object& object)
     return object.backbone_keys.empty() ? Deformer::none : Deformer::backbones;
 }
 
-/// A key as it is stored, and the way from it to the next. The last one leads nowhere: its ends are its
-/// drawing twice.
+/// A key as it is stored, and the tween from it to the next. The last one leads nowhere: both of its ends are
+/// its drawing.
 struct KeyTween {
     Time time;
     LawPair laws;
@@ -30,16 +30,16 @@ struct KeyTween {
     SourceSpan place; ///< of the key
 };
 
-/// All that an object has.
+/// All tweens of an object.
 struct KeyTweens {
     std::vector<KeyTween> tweens;
-    /// Of the ways of drawings that backbones carry: 2^unit_bits sixteenths of a pixel stand for a segment.
+    /// For tweens of drawings that backbones deform: 2^unit_bits sixteenths of a pixel represent a segment.
     std::uint32_t unit_bits = 0;
 };
 
-/// The ways of `object`, which has backbones, in coordinates relative to these (docs/format.md, "Backbones").
-/// `drawn` are the same ways as they are without backbones. Points that lie in no cell are a warning at their
-/// key; a way that takes more points than a drawing holds is an error there.
+/// The tweens of `object`, which has backbones, in coordinates relative to these (docs/format.md,
+/// "Backbones"). `drawn` are the same tweens without backbones. Points in no cell are a warning at their key;
+/// a tween that takes more points than a drawing holds is an error there.
 KeyTweens deformed_tweens(const scene::Object& object, const std::vector<KeyTween>& drawn,
                           Diagnostics& diagnostics);
 

@@ -8,9 +8,9 @@ namespace kfast {
 
 namespace {
 
-/// A place where a segment is to be divided.
+/// A point at which a segment is to be divided.
 struct Crossing {
-    std::uint32_t share = 0; ///< as that of Fraction
+    std::uint32_t share = 0; ///< as in Fraction
     double border = 0;       ///< along the backbones
 };
 
@@ -76,7 +76,7 @@ private:
         return borders;
     }
 
-    /// The first share at which the border has been passed.
+    /// The first fraction at which the border has been passed.
     std::uint32_t where(double border, bool begins_below, std::uint32_t begin, std::uint32_t end) const
     {
         while (end - begin > 1) {
@@ -89,7 +89,7 @@ private:
         return end;
     }
 
-    /// Unless one of the ends is as near as no matter.
+    /// Adds it unless one of the ends is too near to matter.
     void add(Crossing crossing)
     {
         constexpr double near = 0.5; // px
@@ -123,7 +123,7 @@ FractionPairs merged(const std::vector<Crossing>& a, const std::vector<Crossing>
     return shares;
 }
 
-/// Where both cross the same borders, each is divided there; otherwise both at all places of either.
+/// Where both cross the same borders, each is divided there; otherwise both at all crossings of either.
 FractionPairs shares_of(const Pair<Segment>& both, const DeformingCells& a, const DeformingCells& b)
 {
     const std::vector<Crossing> of_a = CrossingSearch{both.a, a}.crossings();

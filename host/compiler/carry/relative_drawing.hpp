@@ -10,7 +10,7 @@
 
 namespace kfast {
 
-/// The cells that carry one side of a pair of strokes, and the backbone that carries most of it.
+/// The cells that deform one side of a pair of strokes, and the backbone that deforms most of it.
 struct DeformingCells {
     const BackboneCells& cells;
     std::int32_t backbone;
@@ -18,7 +18,7 @@ struct DeformingCells {
 
 /// Divides the segments of a stroke, both sides alike, so that they can follow the backbones: lines where
 /// they pass from one segment of a backbone to another; curves that do so in the middle of the segments,
-/// where their pieces meet smoothly whatever becomes of the nodes.
+/// where their pieces meet smoothly however the nodes move.
 SegmentPairs divided_at_cells(const SegmentPairs& stroke, const DeformingCells& a, const DeformingCells& b);
 
 /// As scene::Segment, before rounding.
@@ -36,15 +36,15 @@ struct RelativeStroke {
 
 using RelativeDrawing = std::vector<RelativeStroke>;
 
-/// Where the cells move no point: as `drawing` is when they are as given. A point in cells of several
-/// backbones goes with the one that has most of its stroke, a control point with that of its vertex.
+/// The drawing relative to the cells: the cells as given yield `drawing`. A point in cells of several
+/// backbones goes with the one that has most of its stroke, a control point with the backbone of its vertex.
 RelativeDrawing relative_drawing(const SegmentDrawing& drawing, const BackboneCells& cells);
 
-/// Where a stroke goes through its vertices.
+/// The vertices of a stroke.
 std::vector<Vec2> spots_of(const std::vector<Segment>& stroke);
 
 /// The finest unit that all points of `drawings` can be stored in, as the format has it: 2^bits sixteenths
-/// stand for a segment.
+/// represent a segment.
 std::uint32_t unit_bits_of(std::span<const RelativeDrawing> drawings);
 
 /// Rounds every point once.

@@ -31,7 +31,7 @@ scene::Segment stored(const Segment& segment)
     return {.cubic = true, .c1 = rounded(segment.c1), .c2 = rounded(segment.c2), .to = rounded(segment.to)};
 }
 
-/// Of a stroke that is divided into `pieces`; `own` are those of its points as they were.
+/// Adds those of a stroke that is divided into `pieces`; `own` are those of its points before that.
 void add_bindings(std::span<const scene::Binding> own, std::uint32_t pieces,
                   std::vector<scene::Binding>& bindings)
 {

@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// A drawing of an object that bones carry, as it is stored.
+/// A drawing of an object that bones deform, as it is stored.
 struct SkinnedDrawing {
     scene::Drawing drawing;
     std::optional<scene::Drawing> at_rest; ///< of the same structure, if it is not the drawing itself

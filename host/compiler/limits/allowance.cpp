@@ -13,7 +13,7 @@ namespace {
 /// Uses of symbols within symbols multiply: beyond this figure the rest no longer counts.
 constexpr std::uint64_t beyond_all_limits = 1'000'000'000'000;
 
-/// What an item needs of something.
+/// How much of something an item needs.
 struct Need {
     const scene::Item* item;
     std::uint64_t amount;
@@ -47,7 +47,7 @@ void each_item(const std::vector<scene::Item>& items, Visit visit)
     }
 }
 
-/// What each item needs by itself, a use also all that its symbol needs. A symbol is read once.
+/// What each item needs by itself; a use also needs all that its symbol needs. A symbol is read once.
 template <class AmountOf>
 std::vector<Need> needs_with_uses(const scene::Scene& scene, AmountOf amount_of)
 {
@@ -125,7 +125,7 @@ std::uint64_t tracks_of(const scene::Item& item)
     return item.tracks.size() + 1 + (may_have_arrivals ? 1 : 0) + (is_deformed || object->has_depths ? 1 : 0);
 }
 
-/// Likewise of all bones.
+/// The same for all bones.
 std::uint64_t tracks_of_bones(const scene::Scene& scene)
 {
     std::uint64_t tracks = 0;
@@ -158,7 +158,7 @@ void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& d
                       std::string{allowance.hint});
 }
 
-/// On all ways of an item whose points match by length.
+/// The number of strokes in all tweens of an item whose points match by length.
 std::uint64_t matched_strokes(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);

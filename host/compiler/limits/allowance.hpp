@@ -10,12 +10,12 @@
 
 namespace kfast {
 
-/// Checks how many strokes are matched by length, which takes long. Too many are an error at the item with
-/// the largest share.
+/// Checks how many strokes are matched by length, which takes long. Too many are an error at the item that
+/// has most of them.
 void check_matching(const scene::Scene& scene, Diagnostics& diagnostics);
 
 /// Checks what the format limits of a whole scene: items, tracks and steps of painting. Too much of any is an
-/// error at the item with the largest share.
+/// error at the item that has most of it.
 void check_allowances(const scene::Scene& scene, Diagnostics& diagnostics);
 
 /// `file` is the scene compiled. If a player refuses it, because a picture would take too long, or checking

@@ -13,10 +13,10 @@ namespace {
 constexpr std::int32_t max_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
-/// Of all pictures together, in the unit of SceneView::cost(): some one and a half seconds of a computer.
+/// For all pictures together, in the unit of SceneView::cost(): about one and a half seconds on a computer.
 constexpr std::size_t max_cost = 3U << 21;
 
-/// Collects moments of one clock, which goes from 0 to `length`.
+/// Collects times of one driver, which goes from 0 to `length`.
 class DriverMoments {
 public:
     DriverMoments(Driver driver, Time length) : driver_{driver}, length_{length} {}
@@ -85,7 +85,7 @@ std::vector<Time> times_of(const SceneView& scene)
                       std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / max_even_moments));
 }
 
-/// Where the inputs of a scene may stand.
+/// The values that the inputs of a scene may have.
 class InputPlaces {
 public:
     explicit InputPlaces(const SceneView& scene) : default_value_(scene.input_count())
@@ -99,7 +99,7 @@ public:
     }
 
     const std::vector<Time>& default_places() const { return default_value_; }
-    /// Of one input, in order: even ones, those of its keys, and the tick before.
+    /// Samples of one input, in order: evenly spaced ones, those of its keys, and the tick before each.
     std::size_t sample_count(std::size_t input) const
     {
         return std::min(sample_places_[input].size(), max_samples);
@@ -110,7 +110,7 @@ public:
         return places[index * places.size() / sample_count(input)];
     }
 
-    /// Mostly an end, as a button puts it; the same ones every time.
+    /// A pseudorandom value, mostly an end, as a button sets it; the same sequence every time.
     Time any(std::size_t input)
     {
         const auto choice = random_() % 8;
@@ -132,7 +132,7 @@ private:
     std::mt19937 random_{1};
 };
 
-/// Each input alone, then all of them at once, at any time.
+/// Varies each input alone, then all of them at once, at any time.
 void add_with_inputs(const std::vector<Time>& times, InputPlaces& places,
                      std::vector<MeasuredMoment>& moments)
 {

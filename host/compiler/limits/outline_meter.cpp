@@ -17,10 +17,10 @@ namespace kfast {
 namespace {
 
 constexpr std::size_t corner_bytes =
-    sizeof(raster::Corner) + sizeof(raster::Bend); ///< bytes, while it comes in
+    sizeof(raster::Corner) + sizeof(raster::Bend); ///< bytes, while it is added
 constexpr std::size_t chain_bytes = sizeof(raster::Chain) + sizeof(raster::Bend) + 8;
 
-/// Bytes of an edge over so many rows. A long one is a chain of its own, and may cut off another one
+/// Bytes of an edge over that many rows. A long one is a chain of its own, and may cut off another one
 /// (core/raster/outline/outline_store.hpp).
 std::size_t max_edge_bytes(std::size_t rows)
 {
@@ -31,7 +31,7 @@ std::size_t max_edge_bytes(std::size_t rows)
 /// Not all edges of a drawing are as bad as they can be: the worst that were tried take more than two thirds.
 std::size_t likely(std::size_t bytes) { return bytes * 4 / 5; }
 
-/// What `points` in `strokes` of them take at most when they are filled: each corner of a polygon is stored,
+/// What `strokes` with `points` in all take at most when they are filled: each corner of a polygon is stored,
 /// the first one twice.
 std::size_t max_filled_bytes(std::size_t strokes, std::size_t points, std::size_t rows)
 {
@@ -64,8 +64,8 @@ std::size_t max_drawn_bytes(const DrawingInput& limits, const Pen& pen, std::siz
                     max_drawn_bytes(1, limits.points, pen, rows));
 }
 
-/// By what lengths around any point of a drawing grow, at most; in perspective by the most of 17 x 17 places
-/// among those that a point can have.
+/// The scale of lengths around any point of a drawing, at most; in perspective by the maximum over 17 x 17 of
+/// the positions that a point can have.
 std::int32_t max_scale_factor(const Space& space, const Camera& camera)
 {
     if (space.is_flat())
@@ -80,7 +80,7 @@ std::int32_t max_scale_factor(const Space& space, const Camera& camera)
     return max;
 }
 
-/// Of a drawing from outside.
+/// What a drawing from outside takes.
 std::size_t bytes_of(const SceneOnPanel& on_panel, SceneWalk& walk)
 {
     const DrawingInput limits = on_panel.scene.input(walk.node().of).drawing;
@@ -181,7 +181,7 @@ std::size_t glyph_count(const SceneView& scene)
     return count;
 }
 
-/// All glyphs are looked at in each.
+/// Samples, in each of which all glyphs are measured.
 std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments)
 {
     const std::size_t affordable =
@@ -193,18 +193,18 @@ std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const M
     return samples;
 }
 
-/// The character that needs most at one moment.
+/// The character that needs most at one time.
 struct Largest {
     std::uint32_t glyph = 0;
     std::size_t max = 0;
     std::size_t min = 0; ///< of any character
 
-    /// Else the text is not seen.
+    /// Otherwise the text is not visible.
     bool is_visible() const { return max != min; }
 };
 
 /// The characters that need most at some of the samples, and the one that has most points: the text may be
-/// seen at other moments.
+/// visible at other times.
 std::set<std::uint32_t> largest_glyphs(const SceneView& scene, std::uint32_t number, const TextInput& input,
                                        const std::vector<MeasuredMoment>& samples, OutlineMeter& meter)
 {

@@ -17,8 +17,8 @@
 
 namespace kfast {
 
-/// Bytes that the outlines of all live drawings that are seen take in an OutlineStore at the moment to which
-/// the scene was moved, whatever comes: those of the worst drawings that were tried
+/// Bytes that the outlines of all visible live drawings take in an OutlineStore at the time to which the
+/// scene was moved, whatever is received: those of the worst drawings that were tried
 /// (tests/host/compiler/live_outlines_test.cpp).
 std::size_t live_outline_bytes(const SceneOnPanel& on_panel);
 
@@ -31,25 +31,25 @@ public:
 
     /// From the next picture on, the input `number` is `text` (Player::set_text).
     void put_text(std::uint32_t number, std::string_view text);
-    /// With nothing in the drawings from outside. Valid until the next call.
+    /// The picture with nothing in the drawings from outside. Valid until the next call.
     const raster::Picture& picture_at(const SceneTime& moment);
-    /// What these add at the same moment at most, whatever comes.
+    /// What these add at the same time at most, whatever is received.
     std::size_t live_bytes() const;
 
 private:
     void trace();
 
     std::vector<std::uint32_t> outlines_; // words, for the store asks for an alignment of 4
-    std::vector<std::uint32_t> cache_;    // likewise
+    std::vector<std::uint32_t> cache_;    // words as well
     std::vector<std::uint32_t> heads_;
     std::vector<raster::PaintStep> steps_;
-    std::vector<std::uint32_t> prepared_; // likewise
+    std::vector<std::uint32_t> prepared_; // words as well
     std::vector<Space> spaces_;
     std::vector<PosedBone> bones_;
     std::vector<BackboneNode> backbone_nodes_;
-    std::vector<std::uint32_t> drawings_; // words, likewise
+    std::vector<std::uint32_t> drawings_; // words, also for the alignment
     std::vector<std::byte> texts_;
-    std::uint32_t changed_inputs_ = 0; ///< a bit for each input whose text is another than in the picture
+    std::uint32_t changed_inputs_ = 0; ///< a bit for each input whose text differs from that in the picture
     SceneOnPanel on_panel_;
     raster::Picture picture_;
 };
@@ -60,8 +60,8 @@ using LargestTexts = std::vector<std::string>;
 void put_texts(const LargestTexts& texts, OutlineMeter& meter);
 
 /// Texts with which the outlines of a scene are largest: each is as many of one character as the input may
-/// have. Looked for at some of `moments`, of which there is at least one; several of them if different
-/// characters are the largest at different moments. `meter` is one of the scene; its texts are others
+/// have. Searched at some of `moments`, of which there is at least one; several of them if different
+/// characters are the largest at different times. `meter` is one of the scene; its texts are changed
 /// afterwards.
 std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
                                         OutlineMeter& meter);

@@ -24,7 +24,7 @@ namespace {
 /// Enough for any picture that a file can hold, with the coarsest curves.
 constexpr std::size_t ample_bytes = 16 * std::size_t{kfb::max_outline_bytes};
 
-/// The live object that may have most points.
+/// The live object that may have the most points.
 class LargestLive {
 public:
     explicit LargestLive(const scene::Scene& scene) : scene_{scene}
@@ -34,7 +34,7 @@ public:
         add(scene.items);
     }
 
-    /// Where it stands in the text of the scene.
+    /// Its location in the text of the scene.
     SourceSpan place() const { return place_; }
 
 private:
@@ -96,8 +96,8 @@ private:
     std::uint32_t path_;
 };
 
-/// Reports that the outlines at `moment`, with these texts, do not fit what the format allows, at the object
-/// that has most of them. `view` is `scene` compiled.
+/// Reports that the outlines at `moment`, with these texts, exceed what the format allows, at the object that
+/// has most of them. `view` is `scene` compiled.
 void report_excess(const scene::Scene& scene, const SceneView& view, const SceneTime& moment,
                    const LargestTexts& texts, Diagnostics& diagnostics)
 {
@@ -118,8 +118,8 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Scene
                       "draw it with fewer points, or show less at a time");
 }
 
-/// Likewise where the worst that live drawings may be, `live` bytes, comes to `bytes` of others; at the
-/// one that may have most points.
+/// Reports the same if the worst live drawings, `live` bytes, come on top of `bytes` of others; at the one
+/// that may have the most points.
 void report_live_excess(const scene::Scene& scene, const SceneTime& moment, std::size_t bytes,
                         std::size_t live, Diagnostics& diagnostics)
 {
@@ -153,7 +153,7 @@ std::size_t borders_of(const raster::OutlineStore& outlines)
     return borders;
 }
 
-/// Of what live drawings may need: a border for every 16 bytes, as scenes have them.
+/// Borders that live drawings may need: one for every 16 bytes, as in scenes.
 std::size_t live_borders(std::size_t bytes) { return bytes / 16; }
 
 std::uint32_t borders_with_reserve(std::size_t borders)

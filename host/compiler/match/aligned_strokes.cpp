@@ -26,7 +26,7 @@ std::vector<Vec2> centred_samples_of(const MeasuredStroke& stroke)
 }
 
 /// For each shift the sum of the dot products of samples that meet: the greater it is, the nearer the strokes
-/// lie to each other.
+/// are to each other.
 std::array<double, sample_count> agreements(const std::vector<Vec2>& fixed, const std::vector<Vec2>& moved)
 {
     constexpr std::size_t at_once = 8; // sums that do not wait for each other
@@ -49,7 +49,7 @@ double square_sum(const std::vector<Vec2>& samples)
     return sum;
 }
 
-/// The way along a closed stroke, the shorter way round.
+/// A distance along a closed stroke, in the shorter direction.
 double around(double way) { return way - std::floor(way + 0.5); }
 
 /// A vertex of each stroke to begin at.
@@ -60,7 +60,7 @@ struct Start {
     double affinity = 0;
 };
 
-/// Of the vertices of the moved stroke around the place where vertex `i` fits best.
+/// The best of the vertices of the moved stroke around the position where vertex `i` fits best.
 Start best_start(const StrokeVertices& fixed, std::size_t i, const StrokeVertices& moved, double shift)
 {
     const double place = fixed.positions[i] + shift;
@@ -83,7 +83,7 @@ AlignedStrokes begun_at_best(const MeasuredStroke& fixed, const MeasuredStroke& 
 {
     const StrokeVertices fixed_vertices = vertices_of(fixed);
     const StrokeVertices moved_vertices = vertices_of(moved);
-    constexpr double noise = 1e-9; // of equally good starts the first
+    constexpr double noise = 1e-9; // the first of equally good starts
     Start best;
     for (std::size_t i = 0; i < starts; ++i)
         if (const Start found = best_start(fixed_vertices, i, moved_vertices, shift);

@@ -6,14 +6,14 @@
 
 namespace kfast {
 
-/// How far a closed stroke is turned along itself.
+/// How far the start of a closed stroke is shifted along it.
 struct Shift {
     std::size_t steps = 0;
     double agreement = 0;
 };
 
-/// The shift with the greatest agreement_at(steps) of one round of `count` steps. Of those that differ by no
-/// more than `noise`, which rounding may make, the one nearest to no shift.
+/// The shift with the greatest agreement_at(steps) of one round of `count` steps. Among those that differ by
+/// no more than `noise`, as by rounding, the one nearest to no shift.
 template <class AgreementAt>
 Shift best_shift(std::size_t count, double noise, AgreementAt agreement_at)
 {
@@ -25,22 +25,22 @@ Shift best_shift(std::size_t count, double noise, AgreementAt agreement_at)
     return best;
 }
 
-/// Two strokes, begun where they correspond.
+/// Two strokes whose starts correspond.
 struct AlignedStrokes {
     MeasuredStroke a;
     MeasuredStroke b;
     /// What to add to the positions on `b` to have them where they fit `a` best. Not 0 where two vertices
-    /// near that place became the start.
+    /// near that position became the start.
     double offset = 0;
 };
 
 enum class Reversal { forbidden, allowed };
 
 /// Moves the start of a closed stroke to where the strokes, each with its centre of gravity in the origin,
-/// have the smallest sum of squared distances between points at equal shares of their lengths; of `b`, if
-/// both are closed. The start is a vertex where a vertex of the other is near, otherwise a new point. Where
-/// it is allowed and fits better, the stroke whose start may move changes its direction. Open strokes stay as
-/// they are. Both have a segment.
+/// have the smallest sum of squared distances between points at equal fractions of their lengths; that of
+/// `b`, if both are closed. The start is a vertex where a vertex of the other is near, otherwise a new point.
+/// If it is allowed and fits better, the stroke whose start may move changes its direction. Open strokes stay
+/// as they are. Both have a segment.
 AlignedStrokes aligned(const MeasuredStroke& a, const MeasuredStroke& b, Reversal reversal);
 
 /// As aligned(), for a part of a broken stroke, which begins where it was broken.

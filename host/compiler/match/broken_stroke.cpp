@@ -19,7 +19,7 @@ Vec2 sum_of(const std::vector<Vec2>& spots)
     return sum;
 }
 
-/// Where the parts end, as shares of the length.
+/// Where the parts end, as fractions of the length.
 std::vector<double> ends_of_parts(const std::vector<PartTarget>& targets)
 {
     double length = 0;
@@ -36,7 +36,7 @@ std::vector<double> ends_of_parts(const std::vector<PartTarget>& targets)
     return ends;
 }
 
-/// The place at `position`, or a vertex that is within a fiftieth of an even share of `parts`.
+/// The place at `position`, or a vertex that is within a fiftieth of 1 / `parts`.
 StrokePlace place_near(const std::vector<double>& positions, double position, std::size_t parts)
 {
     const double reach = 0.02 / static_cast<double>(parts);
@@ -48,9 +48,9 @@ StrokePlace place_near(const std::vector<double>& positions, double position, st
     return place;
 }
 
-/// Of a closed stroke, for all shifts of its start: how near the parts are to their targets. The sum of
-/// squared distances between their centres, seen from those of the whole drawings, is less the larger this
-/// is, but for what the shift hardly changes.
+/// For all shifts of a closed stroke's start: how near the parts are to their targets. The sum of squared
+/// distances between their centres, relative to those of the whole drawings, is less the larger this is, but
+/// for what the shift hardly changes.
 class PartAgreement {
 public:
     PartAgreement(const MeasuredStroke& whole, const std::vector<PartTarget>& targets,
@@ -95,8 +95,8 @@ private:
         return (1.0 / static_cast<double>(targets.size())) * sum;
     }
 
-    std::vector<Vec2> samples_; ///< seen from their centre
-    std::vector<Vec2> pulls_;   ///< for each sample where its target is
+    std::vector<Vec2> samples_; ///< relative to their centre
+    std::vector<Vec2> pulls_;   ///< for each sample the position of its target
 };
 
 MeasuredStroke begun_for(const MeasuredStroke& whole, const std::vector<PartTarget>& targets,

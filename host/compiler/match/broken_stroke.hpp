@@ -13,8 +13,8 @@ struct PartTarget {
 PartTarget target_of(const scene::Stroke& stroke);
 
 /// Breaks a stroke that has a segment into one part for each target, with lengths in proportion to theirs but
-/// none shorter than a sixteenth of an even share. Breaks move to a vertex nearby. A closed stroke begins
-/// where the parts then lie best for their targets, if those are at most 64.
+/// none shorter than a sixteenth of an even division. Breaks move to a vertex nearby. A closed stroke begins
+/// where the parts are then nearest to their targets, if those are at most 64.
 std::vector<MeasuredStroke> broken(const MeasuredStroke& whole, const std::vector<PartTarget>& targets);
 
 }

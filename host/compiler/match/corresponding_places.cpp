@@ -8,9 +8,9 @@ namespace kfast {
 
 namespace {
 
-/// Of the length of the stroke: a vertex that is moved so little along it is not seen to move.
+/// Fraction of the length of the stroke: a vertex that is moved so little along it does not visibly move.
 constexpr double unseen = 0.02;
-/// Only so many vertices on either side of the nearest are tried.
+/// Only that many vertices on either side of the nearest are tried.
 constexpr std::ptrdiff_t max_tried = 8;
 
 Vec2 unit(Vec2 direction)
@@ -27,13 +27,13 @@ StrokeCorner corner_between(const MeasuredSegment& before, const MeasuredSegment
     return dot(in, out) < cosine ? StrokeCorner{in, out} : StrokeCorner{};
 }
 
-/// 1 for corners that point alike, 0 for those at right angles and for vertices that are none.
+/// 1 for corners that point the same way, 0 for those at right angles and for vertices that are no corners.
 double likeness(const StrokeCorner& a, const StrokeCorner& b)
 {
     return std::max(0.0, (dot(a.in, b.in) + dot(a.out, b.out)) / 2);
 }
 
-/// Half of the way from the vertex before to the vertex behind. An end has one behind the other end.
+/// Half of the distance from the vertex before to the vertex after. An end has one beyond the other end.
 double room(const StrokeVertices& vertices, std::size_t i)
 {
     const std::vector<double>& at = vertices.positions;
@@ -55,7 +55,7 @@ class BestLinks {
 public:
     explicit BestLinks(std::size_t vertices) : tree_(vertices + 1) {}
 
-    /// The best one that ends before vertex `j`; of equals the first that was added.
+    /// The best one that ends before vertex `j`; the first of equals that was added.
     std::optional<std::size_t> before(std::size_t j, const std::vector<Link>& links) const
     {
         std::optional<std::size_t> best;
@@ -145,7 +145,7 @@ std::vector<Pair<std::size_t>> vertex_pairs(const StrokeVertices& a, const Strok
 
 namespace {
 
-/// Moves the vertices of `a` to where they are on `b` if the pairs coincide: then more of them may be seen
+/// Moves the vertices of `a` to where they are on `b` if the pairs coincide: then more of them may be found
 /// to correspond.
 void lay_onto(const StrokeVertices& b, const std::vector<Pair<std::size_t>>& pairs, StrokeVertices& a)
 {
@@ -160,7 +160,7 @@ void lay_onto(const StrokeVertices& b, const std::vector<Pair<std::size_t>>& pai
     a.positions.back() = b.positions.back();
 }
 
-/// One stroke's vertices behind `at` and before `end`, as shares of the way from `begin` to `end`.
+/// One stroke's vertices after `at` and before `end`, as fractions of the range from `begin` to `end`.
 class SpanVertices {
 public:
     SpanVertices(const std::vector<double>& positions, std::size_t begin, std::size_t end)
@@ -170,7 +170,7 @@ public:
 
     bool is_at_end() const { return at_ + 1 == end_; }
 
-    /// Of the next vertex; 1 at the end.
+    /// The fraction of the next vertex; 1 at the end.
     double next_share() const
     {
         return is_at_end() ? 1 : share_between(positions_[begin_], positions_[end_], positions_[at_ + 1]);

@@ -64,8 +64,8 @@ using SegmentDrawing = std::vector<std::vector<Segment>>;
 
 std::vector<Segment> side_of(const SegmentPairs& pairs, Segment Pair<Segment>::*side);
 
-/// By the rules of core/pose/equalize.hpp; what is added there, also to an empty drawing, stands in the
-/// result. A line that is paired with a curve is a curve. Two empty drawings have no strokes.
+/// By the rules of core/pose/equalize.hpp; what is added there, also to an empty drawing, is in the result. A
+/// line that is paired with a curve is a curve. Two empty drawings have no strokes.
 MatchedSegments match_by_count(const scene::Drawing& a, const scene::Drawing& b);
 
 /// The two drawings, such that equalization pairs their segments in the same way without adding a point:

@@ -114,7 +114,7 @@ std::optional<MatchedDrawings> matched(const scene::Drawing& few, const scene::D
 {
     const Distribution parts{static_cast<std::uint32_t>(many.strokes.size()),
                              static_cast<std::uint32_t>(few.strokes.size())};
-    // With several strokes the direction may tell a hole from what is around it.
+    // With several strokes the direction may distinguish a hole from what is around it.
     const Reversal reversal = many.strokes.size() == 1 ? Reversal::allowed : Reversal::forbidden;
     MatchedDrawings result;
     Strokes partners{many.strokes};

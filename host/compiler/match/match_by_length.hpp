@@ -6,8 +6,8 @@
 
 namespace kfast {
 
-/// Two drawings for one way between keys: where it departs and where it arrives. Segments may have no extent,
-/// which those of a scene do not.
+/// Two drawings for one tween between keys: where it departs and where it arrives. Segments may have no
+/// extent, which those of a scene do not.
 struct MatchedDrawings {
     scene::Drawing from;
     scene::Drawing to;

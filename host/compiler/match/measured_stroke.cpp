@@ -25,7 +25,7 @@ Vec2 at_parameter(const MeasuredSegment& segment, double t)
     return segment.cubic ? blossom(segment, t, t, t) : between(segment.from, segment.to, t);
 }
 
-/// Of a cubic. Walks along the chords and divides the one that it ends in evenly.
+/// The parameter of a cubic. Walks along the chords and divides the one that it ends in evenly.
 double parameter_at(const MeasuredSegment& cubic, double share)
 {
     double left = share * cubic.length;

@@ -5,13 +5,13 @@
 
 namespace kfast::lottie {
 
-/// Whether it is the same all along, but for its depth.
+/// Whether it never changes, except in depth.
 bool is_still(const art::Transform& transform);
 
-/// Of all that moves its plane.
+/// The moments of all that moves its plane.
 Moments moments_of(const art::Transform& transform);
 
-/// The drawing as it is seen outside of the transform.
+/// The drawing in the coordinates outside of the transform.
 MovingDrawing carried(MovingDrawing drawing, const art::Transform& transform);
 
 /// The drawing while it is shown; at other times, it is empty.

@@ -17,7 +17,7 @@ using scene::Curve;
 using scene::Outline;
 using scene::Vec2;
 
-/// Between two parameters, with where it begins.
+/// The subsegment between two parameters, with its beginning.
 std::pair<Vec2, Curve> part(Vec2 from, const Curve& curve, double first, double last)
 {
     if (first <= 0 && last >= 1)
@@ -28,7 +28,7 @@ std::pair<Vec2, Curve> part(Vec2 from, const Curve& curve, double first, double 
     return {piece.points[0], scene::cubic_to(piece.points[1], piece.points[2], piece.points[3])};
 }
 
-/// Pieces that are longer have two ends even when rounded.
+/// Longer pieces keep two distinct ends even when rounded.
 constexpr double shortest_piece = 0.1;
 
 }
@@ -84,14 +84,14 @@ namespace {
 
 using art::Drawing;
 
-/// At one moment.
+/// The dash pattern at one time.
 struct Pattern {
     std::vector<double> lengths;
     double sum = 0;
     double offset = 0;
 };
 
-/// None if that is one line: without gaps, or without length.
+/// Nothing if that is a solid line: without gaps, or without length.
 std::optional<Pattern> pattern_at(const Dashes& dashes, double time)
 {
     Pattern pattern;
@@ -120,7 +120,7 @@ double dash_count(const Dashes& dashes, const Drawing& drawing, double time)
     return count;
 }
 
-/// At the moments that it comes from; between them there may be a few more.
+/// The maximum at the moments that it comes from; between them there may be a few more.
 double max_at_moments(const MovingDrawing& drawing, const Dashes& dashes)
 {
     if (drawing.moments.empty())

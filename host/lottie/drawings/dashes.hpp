@@ -9,13 +9,13 @@
 
 namespace kfast::lottie {
 
-/// From `from` to `to` of a length, `from` the smaller.
+/// A range of lengths; `from` is the smaller.
 struct Stretch {
     double from = 0;
     double to = 0;
 };
 
-/// What measuring a curve and cutting it costs, compared with computing its points.
+/// The cost of measuring and cutting a curve, relative to computing its points.
 inline constexpr double measuring_cost = 8;
 
 /// An outline along which lengths are known, with the line that closes it if it needs one.
@@ -26,8 +26,8 @@ public:
     double length() const { return ends_.empty() ? 0 : ends_.back(); }
     bool is_closed() const { return closed_; }
 
-    /// The piece between two lengths, open; what reaches beyond the ends is cut off. Where it would begin or
-    /// end with a piece of a curve that rounding to 1/16 px may make a point of, it begins or ends beside it.
+    /// The piece between two lengths, open; what is beyond the ends is cut off. Where it would begin or end
+    /// with a piece of a curve that rounding to 1/16 px may reduce to a point, it begins or ends beside it.
     /// Without curves if nothing is left.
     scene::Outline piece(Stretch stretch) const;
 
@@ -37,7 +37,7 @@ private:
         scene::Curve curve;
     };
     double begin_of(std::size_t index) const { return index == 0 ? 0 : ends_[index - 1]; }
-    /// The share of the parameter of a segment at a length along the whole outline.
+    /// The parameter within a segment at a length along the whole outline.
     double parameter(std::size_t index, double length) const;
 
     std::vector<Segment> segments_;
@@ -50,18 +50,18 @@ void append(scene::Outline& outline, scene::Outline next);
 
 /// How a line is broken.
 struct Dashes {
-    std::vector<art::Channel> lengths; ///< of dashes and gaps by turns, in pixels; none: it is not
+    std::vector<art::Channel> lengths; ///< of dashes and gaps alternately, in pixels; none: no dashes
     art::Channel offset = {0};         ///< how far into the pattern the line begins, in pixels
 };
 
-/// The most dashes of a drawing, and of one that changes or whose dashes move.
+/// The maximum number of dashes of a drawing, and of one that changes or whose dashes move.
 inline constexpr int max_dashes = 1000;
 inline constexpr int max_moving_dashes = 120;
 
-/// What became of dashes.
+/// How dashes were applied.
 enum class Dashing {
     all,         ///< there they are
-    stand_still, ///< too many to move: they stay where they are at first
+    stand_still, ///< too many to move: they stay where they were at first
     none,        ///< too many: the line is whole
 };
 

@@ -85,7 +85,7 @@ bool meet(std::span<const Vec2> one, std::span<const Vec2> other)
     return false;
 }
 
-/// Corners come nearer to the middle, so that outlines which are equal do not meet.
+/// Corners are moved towards the middle, so that equal outlines do not touch.
 std::vector<Vec2> shrunk(std::span<const Vec2> polygon)
 {
     Vec2 middle;
@@ -158,7 +158,7 @@ bool contains(const art::Drawing& drawing, std::span<const Vec2> polygon)
 
 std::size_t weight(const art::Transform& transform)
 {
-    // The place on a path is found by measuring it again and again.
+    // The point on a path is found by measuring it again and again.
     constexpr std::size_t measurements = 64;
     return transform.path ? 1 + measurements * transform.path->path.outlines.front().curves.size() : 1;
 }
@@ -219,7 +219,7 @@ Box box_around(const art::Drawing& drawing)
     return box;
 }
 
-/// Of its light, as in sRGB's own weights; 1 without.
+/// Its luminance, by sRGB's own weights; 1 if not `by_luminance`.
 double strength(const art::Rgb& colour, bool by_luminance)
 {
     return by_luminance ? 0.2126 * colour.red + 0.7152 * colour.green + 0.0722 * colour.blue : 1;
@@ -277,7 +277,7 @@ Coverage coverage_of(const Box& box, const art::Drawing& drawing)
 Coverage coverage_of(std::span<const Vec2> polygon, std::span<const art::Node> nodes, const Affine& matrix,
                      double time, bool by_luminance)
 {
-    // Something dark may lie over something bright.
+    // Something dark may be above something bright.
     if (by_luminance && nodes.size() > 1)
         return Coverage::part;
     Coverage result = Coverage::nothing;

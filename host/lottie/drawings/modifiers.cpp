@@ -16,7 +16,7 @@ namespace {
 
 using art::Drawing;
 
-/// Of a length of 1; the end may be up to 2, past the beginning of another turn.
+/// The part of a length of 1; the end may be up to 2, past the beginning of another round.
 Stretch stretch_at(const Trim& trim, double time)
 {
     const double turn = trim.offset.at(time);
@@ -51,7 +51,7 @@ void add_pieces(const std::vector<MeasuredOutline>& outlines, double begin, Stre
     }
 }
 
-/// Through the point where it begins and ends.
+/// The part of a closed outline through the point where it begins and ends.
 Drawing around(const MeasuredOutline& outline, Stretch stretch)
 {
     scene::Outline piece = outline.piece({stretch.from, outline.length()});
@@ -96,7 +96,7 @@ public:
                 parts_.push_back({drawing->at, 0});
     }
 
-    /// Of the first `count`.
+    /// The sum of the first `count`.
     double sum(std::size_t count, double time) const
     {
         double sum = 0;
@@ -108,7 +108,7 @@ public:
 
 private:
     struct Part {
-        std::function<Drawing(double)> moving; ///< nothing: always of that length
+        std::function<Drawing(double)> moving; ///< none: always of that length
         double length = 0;
     };
     std::vector<Part> parts_;
@@ -216,7 +216,7 @@ Outline outline_of(const std::vector<Vertex>& vertices, bool closed)
     return outline;
 }
 
-/// From the corner along a side; the control point is where a cubic comes nearest to an arc.
+/// A vertex from the corner along a side; the control point is where a cubic comes nearest to an arc.
 Vertex towards(Vec2 corner, Vec2 neighbour, double radius, bool arc_follows)
 {
     constexpr double handle = 0.552284749830793398;

@@ -6,11 +6,11 @@
 
 namespace kfast::lottie {
 
-/// What of a path is left.
+/// Which part of a path is left.
 struct Trim {
-    art::Channel start = {0};       ///< share of the length, 0 to 1
-    art::Channel end = {1};         ///< likewise; may be the smaller one
-    art::Channel offset = {0};      ///< share of the length, any; 1 is once around
+    art::Channel start = {0};       ///< fraction of the length, 0 to 1
+    art::Channel end = {1};         ///< the same; may be the smaller one
+    art::Channel offset = {0};      ///< fraction of the length, any; 1 is once around
     bool one_after_another = false; ///< all paths count as one, in their order; otherwise each by itself
 };
 

@@ -163,8 +163,8 @@ private:
         add({moment.first, computed(moment.first), *ease});
     }
 
-    /// Where to look whether an ease tells a way of so many frames. What may take another form at any time
-    /// may do so, and be as before soon after, in between.
+    /// Where to sample whether an ease fits a transition of that many frames. What may change its form at any
+    /// time may do so in between, and back soon after.
     std::vector<double> looks(double frames) const
     {
         std::vector<double> shares{0.37, 0.87, 0.13, 0.61};
@@ -177,7 +177,7 @@ private:
         return shares;
     }
 
-    /// The one that tells the whole way, if one does.
+    /// The one that fits the whole transition, if one does.
     std::optional<art::Ease> ease_between(const std::pair<const double, Moment>& moment, double to) const
     {
         std::vector<art::Ease> eases = moment.second.eases;
@@ -228,7 +228,7 @@ private:
                 while (other - same > art::Baking::jump) {
                     const double middle = (same + other) / 2;
                     if (!(same < middle && middle < other))
-                        break; // so late that times are no finer
+                        break; // such large times have no finer steps
                     (changed(middle) ? other : same) = middle;
                 }
                 return other;
@@ -238,13 +238,13 @@ private:
         return std::nullopt;
     }
 
-    /// Keys of one form; that at `to` as well, unless nothing changes.
+    /// Adds keys of one form; one at `to` as well, unless nothing changes.
     void bake(double from, double to)
     {
         Drawing last = computed(from);
         if (to - from < 2 * art::Baking::jump)
             return add({from, std::move(last), {}});
-        // A form that lasts less than form_change() looks for is passed over.
+        // A form that lasts less than the step of form_change() is skipped.
         const auto at = [&](double time) {
             Drawing drawing = computed(time);
             if (art::same_form(drawing, last))

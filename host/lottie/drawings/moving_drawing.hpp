@@ -10,10 +10,10 @@
 
 namespace kfast::lottie {
 
-/// When something begins another way, and how the properties that it comes from go on from there.
+/// When something starts to change differently, and how the properties that it comes from go on from there.
 struct Moment {
     std::vector<art::Ease> eases; ///< different ones
-    bool jump = false;            ///< something is another at once
+    bool jump = false;            ///< something changes abruptly
 };
 
 /// The times of all keys that something comes from. None if it never changes.
@@ -49,19 +49,19 @@ struct MovingDrawing {
     std::function<art::Drawing(double)> at;
     Moments moments;           ///< between them it changes smoothly; none: it never changes
     bool changes_form = false; ///< the numbers of its outlines and curves may change at any time
-    double cost = 1;           ///< of asking for it once, in points that are computed
+    double cost = 1;           ///< of evaluating it once, in points that are computed
 };
 
 MovingDrawing moving(art::Animated<art::Drawing> drawing);
 
-/// The outlines of all, in their order. At least one.
+/// The outlines of all, in their order. There is at least one drawing.
 MovingDrawing together(std::vector<MovingDrawing> drawings);
 
-/// How far baked keys may be from what they stand for, in pixels.
+/// How far baked keys may be from what they represent, in pixels.
 inline constexpr double baked_tolerance = 1.0 / 32;
 
-/// Where the ways between the moments are those of one ease, they keep it; elsewhere there are as many keys
-/// as baked_tolerance needs. Where the form changes, the drawing jumps from one form to the other.
+/// Where the change between two moments follows one ease, it is kept; elsewhere there are as many keys as
+/// baked_tolerance needs. Where the form changes, the drawing jumps from one form to the other.
 art::Animated<art::Drawing> keys_of(const MovingDrawing& drawing, art::Budget& budget);
 
 }

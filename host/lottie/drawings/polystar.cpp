@@ -11,7 +11,7 @@ using scene::Vec2;
 
 struct Tip {
     Vec2 at;
-    Vec2 handle; ///< from `at` onwards; that of the way to it is the opposite
+    Vec2 handle; ///< of what leaves `at`; that of what arrives is the opposite
 };
 
 Tip tip(const Polystar& star, int index)

@@ -6,13 +6,13 @@
 
 namespace kfast::lottie {
 
-/// The tips of a star, its dents, or the corners of a polygon.
+/// The tips of a star, its inner corners, or the corners of a polygon.
 struct Ring {
     double radius = 0;
-    double roundness = 0; ///< 1: handles as long as a quarter of the way around to the next one
+    double roundness = 0; ///< 1: handles of a quarter of the arc to the next one
 };
 
-/// A star or a polygon of Lottie at one moment.
+/// A star or a polygon of Lottie at one time.
 struct Polystar {
     scene::Vec2 centre;
     int tips = 0; ///< or corners

@@ -121,7 +121,7 @@ private:
                !truth_at(layer, "hd", false) && !truth_at(layer, "td", false);
     }
 
-    /// When it is seen while the composition is; empty if never.
+    /// When it is visible while the composition is; empty if never.
     art::Span seen_of(const art::Span& shown) const
     {
         return {std::max(shown.from, composition_.seen.from), std::min(shown.to, composition_.seen.to)};

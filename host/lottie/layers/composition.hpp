@@ -27,27 +27,27 @@ struct Animation {
     std::map<std::string, const Json*> assets = {}; ///< by "id"
     art::Budget budget = {};
     std::size_t tags = 0;                      ///< art::Node::parent_tag that are given
-    std::vector<std::string> open = {};        ///< precompositions around what is read now
+    std::vector<std::string> open = {};        ///< precompositions around what is being read
     std::set<const Json*> looked_through = {}; ///< layers whose unread members are reported
 };
 
 /// What the transforms of layers around another one do: a list from the innermost outwards.
 struct Around {
     const Around* outer = nullptr;
-    const art::Transform* transform = nullptr; ///< nothing: how it lies is not known
+    const art::Transform* transform = nullptr; ///< null: the placement is unknown
 };
 
-/// How many points have to be computed to know how they lie.
+/// How many points have to be computed to know the placement.
 std::size_t weight(const Around* around);
 
-/// To the canvas; nothing if that is not known.
+/// The matrix to the canvas; nothing if that is not known.
 std::optional<art::Affine> canvas_matrix(const Around* around, double time);
 
-/// Layers that see each other: the file's, or those of a precomposition.
+/// Layers that can refer to each other: the file's, or those of a precomposition.
 struct Composition {
     const Json& layers; ///< the uppermost first
     const Around* around = nullptr;
-    /// When it is seen, in the frames that Reading::time leads to.
+    /// When it is visible, in the frames that Reading::time leads to.
     art::Span seen = {};
 };
 

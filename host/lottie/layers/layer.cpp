@@ -32,7 +32,7 @@ std::vector<art::Node> read_solid(const Layer& layer)
     return {std::move(node)};
 }
 
-/// What a text layer says at first.
+/// The first text of a text layer.
 std::string words(const Json& layer)
 {
     const Json* const text = find_member(layer, "t");
@@ -132,7 +132,7 @@ std::vector<art::Node> read_content(const Layer& layer, Animation& animation)
 
 namespace {
 
-/// #rgb as #rrggbb, and without an opacity, which solids have not.
+/// #rgb as #rrggbb, and without an opacity, which solids do not have.
 std::string six_digits(const std::string& text)
 {
     if (text.size() == 4)

@@ -17,7 +17,7 @@ struct Mask {
     art::Channel expansion;
 };
 
-/// Those that do something.
+/// The masks that have an effect.
 std::vector<Mask> read_masks(const Layer& layer)
 {
     std::vector<Mask> masks;
@@ -80,7 +80,7 @@ Coverage joined_with(Coverage before, const Mask& mask, Coverage by_mask)
     }
 }
 
-/// The first mask takes from all that there is, or adds to nothing.
+/// The first mask subtracts from everything, or adds to nothing.
 Coverage coverage_before(const Mask& first)
 {
     return first.mode == 's' || first.mode == 'i' || first.mode == 'd' ? Coverage::all : Coverage::nothing;
@@ -134,7 +134,7 @@ art::Node drawn(art::Animated<art::Drawing> drawing)
     return node;
 }
 
-/// Whether what the path leaves of a solid ends at the path alone.
+/// Whether what the path leaves of a solid is bounded by the path alone.
 bool lies_within(const Mask& mask, const art::Drawing& solid, const Layer& layer)
 {
     const art::Node path = drawn(mask.path);
@@ -159,7 +159,7 @@ bool is_added(const Mask& mask)
            has_outline(mask.path);
 }
 
-/// Of what is there, the first mask takes something away.
+/// Whether the first mask takes away from what is there.
 bool is_hole(const Mask& mask)
 {
     return has_outline(mask.path) &&
@@ -188,7 +188,7 @@ art::Node pierced(const art::Node& solid, const Mask& mask)
     return part;
 }
 
-/// Whether shapes of the masks that are added show just what the masks do.
+/// Whether shapes of the masks that are added show exactly what the masks do.
 bool is_exact(const std::vector<Mask>& masks, const art::Node& solid, const Layer& layer)
 {
     const auto& edge = std::get<art::Shape>(solid.content).drawing.value();
@@ -217,7 +217,7 @@ std::vector<art::Node> shaped(const art::Node& solid, const std::vector<Mask>& m
     return parts;
 }
 
-/// Whether what the layer draws is seen through the mask as through a hole.
+/// Whether the layer is visible through the mask as through a hole.
 bool is_window(const Mask& mask, bool is_first)
 {
     const bool keeps_inside = mask.mode == 'i' || mask.mode == 'd' || (is_first && is_added(mask));

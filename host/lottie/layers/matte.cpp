@@ -33,13 +33,13 @@ Coverage coverage_at(double time, std::span<const art::Node> nodes, const Layer&
 
 using TransformPath = std::vector<const art::Transform*>;
 
-/// What is filled, and can be seen by its form alone.
+/// A filled shape of which only the form matters.
 struct LoneShape {
     const art::Shape* content;
     TransformPath way; ///< the outermost first
 };
 
-/// Nothing if there is more than one shape, or one that is seen through or is not always there.
+/// Nothing if there is more than one shape, or one that is transparent or not always there.
 std::optional<LoneShape> lone_shape(const std::vector<art::Node>& nodes)
 {
     LoneShape shape{};
@@ -60,7 +60,7 @@ std::optional<LoneShape> lone_shape(const std::vector<art::Node>& nodes)
     return is_filled && !shape.content->stroke ? std::optional{std::move(shape)} : std::nullopt;
 }
 
-/// The transforms around that are not around the other one as well, the innermost first.
+/// The transforms around the first that are not around the other one as well, the innermost first.
 TransformPath own_way(const Around* around, const Around* other)
 {
     TransformPath way;
@@ -83,7 +83,7 @@ art::Affine matrix_from(const TransformPath& innermost_first, double time)
     return matrix;
 }
 
-/// As the layer that is matted sees it; the layers must outlive it. Nothing if no window shows the same.
+/// In the coordinates of the matted layer; the layers must outlive it. Nothing if no window is equivalent.
 std::optional<Window> window_through(const Layer& layer, const MatteSource& source)
 {
     const auto shape = lone_shape(source.nodes);
@@ -113,7 +113,7 @@ std::optional<Window> window_through(const Layer& layer, const MatteSource& sour
     return window;
 }
 
-/// Where the matte is one shape.
+/// Applies a matte that is one shape.
 bool cut_by_shape(std::vector<art::Node>& nodes, const Layer& layer, const MatteSource& source, int mode)
 {
     const auto window = MatteMode{mode} == MatteMode::alpha ? window_through(layer, source) : std::nullopt;

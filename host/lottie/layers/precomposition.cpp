@@ -12,8 +12,8 @@
 namespace kfast::lottie {
 namespace {
 
-// Times of the scene, which are at most so many times those of the file, have to tell moments from each
-// other.
+// Times of the scene are at most this many times those of the file, so that moments of the file stay
+// distinct.
 constexpr double largest_stretch = 1000;
 
 /// The composition that a layer shows, among those that are open while it is read.
@@ -47,7 +47,7 @@ private:
     const Json* layers_ = nullptr;
 };
 
-/// Inside of the layer: what lasts 1 frame there takes "sr" frames outside.
+/// The time inside of the layer: 1 frame there takes "sr" frames outside.
 LayerTime stretched(const Layer& layer)
 {
     const LayerTime& outer = layer.reading.time;
@@ -61,7 +61,7 @@ LayerTime stretched(const Layer& layer)
     return time;
 }
 
-/// A remapping that is one even way is a stretch.
+/// A remapping that is linear throughout is a stretch.
 std::optional<LayerTime> even_time(const std::vector<TimePiece>& pieces)
 {
     if (pieces.size() != 1 || pieces.front().begin == pieces.front().end)
@@ -73,7 +73,7 @@ std::optional<LayerTime> even_time(const std::vector<TimePiece>& pieces)
     return LayerTime{piece.from - stretch * piece.begin, stretch};
 }
 
-/// All frames of the composition that are seen; at least a moment.
+/// All frames of the composition that are shown; never empty.
 art::Span range_of(const std::vector<TimePiece>& pieces)
 {
     art::Span range{pieces.front().begin, pieces.front().begin};
@@ -94,7 +94,7 @@ Reading inner_reading(const Layer& layer, const LayerTime& time)
     return reading;
 }
 
-/// A layer that stands still at its end shows the frame before: that itself is beyond what is inside.
+/// A layer that stops at its end shows the frame before: the end itself is not inside.
 void keep_last_frame(std::vector<TimePiece>& pieces, double end)
 {
     for (TimePiece& piece : pieces)
@@ -133,7 +133,7 @@ Box seen_part(Box box, const Layer& layer, double time, const Animation& animati
             std::min(box.bottom, canvas.bottom)};
 }
 
-/// When something is first seen beyond the edges.
+/// When something is first visible beyond the edges.
 std::optional<double> first_seen_beyond(const Box& edges, std::span<const art::Node> nodes,
                                         const Layer& layer, const Animation& animation)
 {
@@ -144,7 +144,7 @@ std::optional<double> first_seen_beyond(const Box& edges, std::span<const art::N
     return std::nullopt;
 }
 
-/// A composition ends at its own edges, which the scene has only at those of the canvas.
+/// A composition is clipped to its own edges, but a scene only to those of the canvas.
 void cut_at_edges(std::vector<art::Node>& nodes, const Layer& layer, const Animation& animation)
 {
     const Box edges{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};

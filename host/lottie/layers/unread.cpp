@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 17> blend_modes{
     "colour dodge", "colour burn", "hard light", "soft light", "difference", "exclusion",
     "hue",          "saturation",  "colour",     "luminosity", "add"};
 
-/// Members that are read somewhere, or change nothing that is seen.
+/// Members that are read somewhere, or change nothing visible.
 constexpr std::string_view known_members =
     " ao au bm bounds cix cl cm color comment completed cp ct ddd ef en h hasMask hd hix id "
     "ind ip ix ks layerId layers ln masksProperties mb meta mn mode nm np op parent pe refId "
@@ -32,7 +32,7 @@ std::string naming(const Json& thing)
     return std::string{" "} + in_quotes(name->get<std::string>());
 }
 
-/// Sliders and the like, which only expressions look at, draw nothing.
+/// Sliders and the like, which only expressions use, draw nothing.
 bool is_control(const Json& effect)
 {
     const Json* const given = find_member(effect, "mn");
@@ -76,7 +76,7 @@ void report_unknown(const Json& layer, const Reading& reading)
             report(reading, std::string{"member "} + in_quotes(name), "it is not looked at");
 }
 
-/// A property may name a value of the file that others set anew.
+/// A property may refer to a value of the file that users of it override.
 void report_slot(const Json& part, const std::string& path, const Animation& animation,
                  const Reading& reading)
 {

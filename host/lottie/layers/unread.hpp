@@ -5,11 +5,11 @@
 
 namespace kfast::lottie {
 
-/// Reports what a layer has that no scene has: expressions, effects, styles, blend modes, and members that
-/// are not known. Of each layer once, wherever it is used.
+/// Reports what a layer has that no scene has: expressions, effects, styles, blend modes, and unknown
+/// members. Once for each layer, wherever it is used.
 void report_unread(const Json& layer, Animation& animation, const Reading& reading);
 
-/// Expressions within a layer, or its transform alone.
+/// Reports expressions within a layer, or its transform alone.
 void report_expressions(const Json& part, const std::string& path, Animation& animation,
                         const Reading& reading);
 

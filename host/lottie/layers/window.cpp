@@ -33,7 +33,7 @@ bool is_upright_rectangle(const ConvexPolygon& polygon)
     return corners.size() == 4;
 }
 
-/// At all times: between two upright rectangles there are only such.
+/// At all times: between two upright rectangles there are only upright rectangles.
 bool is_convex(const art::Animated<Drawing>& drawing)
 {
     return std::ranges::all_of(drawing.keys, [&](const auto& key) {
@@ -77,7 +77,7 @@ Drawing cut_by(const Drawing& polygon, const Drawing& drawing)
     return convex ? convex->cut(drawing) : Drawing{};
 }
 
-/// Whether shapes are cut whose part inside changes, so that it is baked.
+/// Whether to cut shapes whose part inside changes, so that it is baked.
 enum class Moving { cut, stays };
 
 class Cutter {
@@ -93,7 +93,7 @@ public:
     }
 
     bool is_all_cut() const { return is_all_cut_; }
-    /// Whether moving shapes take so much that the scene is better off without cutting them.
+    /// Whether moving shapes take so much that it is better not to cut them.
     bool is_too_much() const { return is_too_much_; }
 
 private:
@@ -189,7 +189,7 @@ private:
         return part;
     }
 
-    /// What finding the keys may take, and leave for what comes after.
+    /// Whether finding the keys is within the budget, and leaves enough for what comes after.
     bool is_affordable(const MovingDrawing& drawing)
     {
         constexpr double looks_per_frame = 40;

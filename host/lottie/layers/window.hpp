@@ -8,7 +8,7 @@
 
 namespace kfast::lottie {
 
-/// What something is seen through: the inside of a drawing, in the coordinates of what lies behind it.
+/// A clip: the inside of a drawing, in the coordinates of what is clipped.
 struct Window {
     MovingDrawing drawing;
     FillRule rule = FillRule::nonzero;
@@ -17,8 +17,8 @@ struct Window {
 
 Window window_of(const art::Animated<art::Drawing>& drawing);
 
-/// Leaves of nodes what is seen through the window, as far as they are in it, out of it, or fills that can be
-/// cut: any by a convex window, convex polygons by any window. False if something beyond it stays.
+/// Keeps of nodes what is visible through the window, as far as they are inside, outside, or fills that can
+/// be cut: any by a convex window, convex polygons by any window. False if something beyond it stays.
 bool cut_to(const Window& window, std::vector<art::Node>& nodes, const art::Span& seen, art::Budget& budget);
 
 }

@@ -11,7 +11,7 @@ namespace {
 
 using art::Node;
 
-/// A path, and the groups that carry it within the list of a style, the innermost first.
+/// A path, and the groups that transform it within the list of a style, the innermost first.
 struct TransformedPath {
     const PathItem* path = nullptr;
     std::vector<const GroupItem*> groups;
@@ -38,7 +38,7 @@ bool keeps_widths(const art::Transform& transform)
            transform.skew.value() == 0;
 }
 
-/// Whether a shape may lie in the groups of its paths instead of carrying their moves in its points.
+/// Whether a shape may be put into the groups of its paths instead of taking their motion into its points.
 bool can_lie_in_groups(const std::vector<TransformedPath>& paths, bool has_line)
 {
     const auto& groups = paths.front().groups;
@@ -72,7 +72,7 @@ Node flattened(Node group)
     return group;
 }
 
-/// Names of paths say more than those of styles.
+/// Names of paths are more meaningful than those of styles.
 const std::string& name_of(const StyleItem& style, const std::vector<TransformedPath>& paths)
 {
     const std::string& path = paths.front().path->name;
@@ -89,7 +89,7 @@ Node within(const GroupItem& group, std::vector<Node> nodes)
     return flattened(std::move(node));
 }
 
-/// Of a line, the fill that lies below it and is painted of the same paths.
+/// For a line, the fill below it that is painted with the same paths.
 const StyleItem* fill_below(const StyleItem& style, const ShapeItem& next)
 {
     const auto* below = std::get_if<StyleItem>(&next.content);

@@ -30,7 +30,7 @@ Channel channel(const Json& item, const char* name, std::size_t index, double fa
     return read_channel(item, name, index, 0, factor, reading.time, reading.budget);
 }
 
-/// From the same point, the other way round.
+/// The outline from the same point in the opposite direction.
 Outline reversed(const Outline& outline)
 {
     Outline result{outline.from, {}, outline.closed};
@@ -56,7 +56,7 @@ MovingDrawing moving(std::initializer_list<const Channel*> channels,
     return drawing;
 }
 
-/// Whether it leads from one end to the other without a bend or a way back, so that its length says where.
+/// Whether it goes from one end to the other without a bend or turning back, so that its length says where.
 bool is_straight(Vec2 from, const scene::Curve& curve)
 {
     const Vec2 way = curve.to - from;
@@ -75,7 +75,7 @@ bool is_straight(const Outline& path)
     });
 }
 
-/// Where "p" is; along its tangents, where it has them.
+/// The position "p"; along its tangents, where it has them.
 art::PlaceChannels read_place(const Json& item, const Reading& reading)
 {
     art::Transform transform;
@@ -111,7 +111,7 @@ Box read_box(const Json& item, const Reading& reading)
     return {std::move(x), std::move(y), channel(item, "s", 0, 1, reading), channel(item, "s", 1, 1, reading)};
 }
 
-/// Beginning at twelve o'clock instead of three.
+/// An ellipse that begins at twelve o'clock instead of three.
 Outline ellipse_from_top(Vec2 centre, double radius_x, double radius_y)
 {
     Outline outline = scene::ellipse(centre, radius_x, radius_y);
@@ -151,7 +151,7 @@ Rectangle rectangle_at(const Box& box, const Channel& corner, double time)
             std::clamp(corner.at(time), 0.0, std::min(width, height) / 2)};
 }
 
-/// One that is ever round always has arcs, so that it keeps its form.
+/// A rectangle that is ever round always has arcs, so that it keeps its form.
 Outline outline_of(const Rectangle& rectangle, bool is_round)
 {
     constexpr double hardly_round = 1e-9;
@@ -160,7 +160,7 @@ Outline outline_of(const Rectangle& rectangle, bool is_round)
                             is_round ? std::max(rectangle.corner, hardly_round) : 0);
 }
 
-/// Where Lottie's begin: at the upper right corner, behind its arc.
+/// Begins where Lottie's do: at the upper right corner, after its arc.
 Outline outline_from_right(const Rectangle& rectangle, bool is_round)
 {
     Outline outline = outline_of(rectangle, is_round);

@@ -13,9 +13,9 @@ namespace {
 
 using art::Channel;
 
-/// A number to the power of a count that need not be whole: what is over counts by a straight line. What
-/// becomes too large, as nothing does that is asked how often it goes into something, stays within what can
-/// be drawn.
+/// A number to the power of a count that need not be whole: the fraction is interpolated
+/// linearly. What becomes too large, as the inverse of 0 does, is clamped to what can be
+/// drawn.
 double power(double base, double count)
 {
     constexpr double largest = 1e6;
@@ -47,13 +47,13 @@ Repeater read_repeater(const Json& item, const Reading& reading)
             channel(step, "so", 1, 0.01), channel(step, "eo", 1, 0.01), whole_at(item, "m", 1) == 1};
 }
 
-/// A whole number of them.
+/// The number of copies, rounded up.
 double copies_at(const Channel& copies, double time)
 {
     return std::max(0.0, std::ceil(copies.at(time) - 1e-6));
 }
 
-/// Of one that swings beyond its keys, at most so much is seen.
+/// The maximum number of copies; an overshoot beyond the keys is not shown.
 double max_copies(const Channel& copies)
 {
     double max = 0;
@@ -85,7 +85,7 @@ std::vector<art::Span> shown(const Channel& copies, double index, art::Budget& b
         while (after - before > 1.0 / 1024) {
             const double middle = (before + after) / 2;
             if (!(before < middle && middle < after))
-                break; // so late that times are no finer
+                break; // such large times have no finer steps
             (is_there(middle) == there ? before : after) = middle;
         }
         there = !there;
@@ -110,10 +110,10 @@ Channel opacity(const Repeater& repeater, double index, art::Budget& budget)
                     budget);
 }
 
-/// The step of a copy: turned about the anchor, grown about it, and moved.
+/// The step of a copy: rotated about the anchor, scaled about it, and moved.
 struct CopyStep {
     art::Transform move_and_grow;
-    std::optional<art::Transform> rotation; ///< by itself, where the scales differ
+    std::optional<art::Transform> rotation; ///< a separate one, where the scales differ
 };
 
 CopyStep step_of(const Repeater& repeater, double index, art::Budget& budget)

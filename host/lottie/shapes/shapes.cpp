@@ -45,8 +45,8 @@ bool holds(std::string_view names, std::string_view name)
     return names.find(' ' + std::string{name} + ' ') != names.npos;
 }
 
-/// Reports the members of a shape of that type "ty" that nothing reads. Those of types that are not known are
-/// not looked at.
+/// Reports the members of a shape of that type "ty" that nothing reads. Those of unknown types are
+/// ignored.
 void report_unknown_members(const Json& item, std::string_view type, const Reading& reading)
 {
     const auto known = std::ranges::find(members_of_types, type, &TypeMembers::type);
@@ -73,7 +73,7 @@ Trim read_trim(const Json& item, const Reading& reading)
             whole_at(item, "m", 1) == one_after_another};
 }
 
-/// What changes paths, and is not carried over.
+/// What changes paths, and is not imported.
 struct Modifier {
     const char* type;
     const char* name;
@@ -110,7 +110,7 @@ public:
     std::vector<ShapeItem> finish() { return std::move(items_); }
 
 private:
-    /// Each puts all before it into groups.
+    /// Each puts everything before it into groups.
     static constexpr int max_repeaters = 8;
     static constexpr int max_modifiers = 64;
 

@@ -14,7 +14,7 @@
 
 namespace kfast::lottie {
 
-/// What reading goes along with, from layer to layer.
+/// The context of reading, from layer to layer.
 struct Reading {
     art::Budget& budget;
     art::Losses& losses;
@@ -38,7 +38,7 @@ struct PathItem {
     int modifiers = 0; ///< that it has gone through
 };
 
-/// Paints all paths before it in its list, and in the groups before it, as one.
+/// A style that paints all paths before it in its list, and in the groups before it, as one.
 struct StyleItem {
     std::string name;
     std::optional<art::Fill> fill; ///< or
@@ -63,7 +63,7 @@ struct ShapeItem {
 /// All paths of a list and of its groups, in their order.
 std::vector<PathItem*> paths_of(std::vector<ShapeItem>& items);
 
-/// What a list draws, the lowest first; the first item of the list lies on top.
+/// What a list draws, the lowest first; the first item of the list is on top.
 std::vector<art::Node> painted(const std::vector<ShapeItem>& items, const Reading& reading);
 
 /// Whether a type "ty" is one of those that read_path_item() reads.

@@ -10,7 +10,7 @@ namespace {
 using art::Affine;
 using art::Channel;
 
-/// Leaning, then growing, then turning.
+/// Skew, then scale, then rotation.
 struct SkewDecomposition {
     double rotation = 0;
     double scale_x = 1;
@@ -18,7 +18,7 @@ struct SkewDecomposition {
     double skew = 0; ///< along the axis of x
 };
 
-/// The matrix as a turn of a triangular one, by its first column.
+/// The matrix as a rotation of a triangular one, by its first column.
 SkewDecomposition decomposed(const Affine& matrix)
 {
     const double width = std::sqrt(matrix.a * matrix.a + matrix.b * matrix.b);
@@ -37,7 +37,7 @@ SkewDecomposition decomposed_at(const art::Transform& transform, double time)
     return decomposed(skewed * art::grown(transform.scale_x.at(time), transform.scale_y.at(time)));
 }
 
-/// When the way of one begins or ends.
+/// Critical are the times at which a transition of one begins or ends.
 art::Baking baking_of(std::initializer_list<const Channel*> channels)
 {
     art::Baking baking;
@@ -60,7 +60,7 @@ Channel baked(const art::Transform& transform, double SkewDecomposition::*part, 
     return art::baked_channel([&](double time) { return decomposed_at(transform, time).*part; }, baking);
 }
 
-/// Of two numbers; where both change, right to a hundredth of a degree.
+/// The sum of two numbers; where both change, accurate to a hundredth of a degree.
 Channel sum(const Channel& one, const Channel& other)
 {
     art::Baking baking = baking_of({&one, &other});

@@ -21,8 +21,8 @@ struct MeanColour {
     art::Channel opacity;
 };
 
-/// All numbers of a gradient at one moment: offset, red, green and blue of each colour, then offset and
-/// opacity of each stop of the opacity, if there are any.
+/// All numbers of a gradient at one time: offset, red, green and blue of each colour, then offset and opacity
+/// of each stop of the opacity, if there are any.
 struct Numbers {
     std::vector<double> list;
     friend bool operator==(const Numbers&, const Numbers&) = default;
@@ -33,7 +33,7 @@ struct Stop {
     double value = 0;
 };
 
-/// Straight between stops, which stand in their order.
+/// Linear between stops, which are in their order.
 double value_at(const std::vector<Stop>& stops, double offset)
 {
     if (stops.empty())
@@ -47,7 +47,7 @@ double value_at(const std::vector<Stop>& stops, double offset)
     return std::lerp(before.value, next->value, (offset - before.offset) / (next->offset - before.offset));
 }
 
-/// Every `stride`th number from `first` to `end` is an offset, and the value stands `value` behind it.
+/// Every `stride`th number from `first` to `end` is an offset, and the value is `value` numbers after it.
 std::vector<Stop> stops_of(const Numbers& numbers, std::size_t first, std::size_t end, std::size_t stride,
                            std::size_t value)
 {
@@ -105,7 +105,7 @@ art::Animated<Value> animated(const art::Animated<Mean>& means, Part part)
     return art::Animated<Value>{std::move(keys)};
 }
 
-/// Of the colours "g" of a gradient: the mean along it, as much of each colour as can be seen.
+/// The mean of the colours "g" along a gradient, each weighted by how visible it is.
 MeanColour read_mean_colour(const Json& style, const Reading& reading)
 {
     const Json* const gradient = find_member(style, "g");
@@ -208,7 +208,7 @@ void read_stroke(StyleItem& style, const Json& item, const Reading& reading)
     style.stroke->colour = read_colour(item, "c", reading.time, reading.budget);
 }
 
-/// As much as is seen of a gradient, and of the style.
+/// The combined opacity of a gradient and of the style.
 Channel seen(const Channel& style, const Channel& gradient, const Reading& reading)
 {
     return combined([&](double time) { return style.at(time) * gradient.at(time); }, {&style, &gradient},

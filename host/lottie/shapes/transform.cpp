@@ -24,7 +24,7 @@ Channel channel(const Json& owner, const char* name, std::size_t index, double d
 
 bool is_zero(const Channel& number) { return steady_value(number) == 0.0; }
 
-/// Of two, one of which is steady.
+/// The sum of two, one of which is steady.
 std::optional<Channel> sum(const Channel& one, const Channel& other)
 {
     const auto constant = steady_value(other);
@@ -36,14 +36,14 @@ std::optional<Channel> sum(const Channel& one, const Channel& other)
     return result;
 }
 
-/// Turns about the three axes: about z first, then about y, then about x.
+/// Rotations about the three axes: about z first, then about y, then about x.
 struct Rotations {
     Channel x = {0};
     Channel y = {0};
     Channel z = {0};
 };
 
-/// After Effects has z lead away from the viewer, and turns about x and y the other way round.
+/// In After Effects z points away from the viewer, and rotations about x and y have the opposite sense.
 Rotations read_rotation(const Json& ks, const Reading& reading)
 {
     const char* const about_z = find_member(ks, "rz") ? "rz" : "r";
@@ -57,7 +57,7 @@ Rotations read_orientation(const Json& ks, const Reading& reading)
             channel(ks, "or", 2, 0, 1, reading)};
 }
 
-/// First `inner`, then `outer`, as one; nothing if one cannot say it.
+/// First `inner`, then `outer`, as one; nothing if one cannot represent it.
 std::optional<Rotations> merged(const Rotations& outer, const Rotations& inner)
 {
     const bool outer_begins_with_x = is_zero(outer.z) && is_zero(outer.y);
@@ -155,7 +155,7 @@ using scene::Vec2;
 
 bool equal(Vec2 left, Vec2 right) { return left.x == right.x && left.y == right.y; }
 
-/// Of a value or a tangent; what is missing is 0.
+/// The point of a value or a tangent; what is missing is 0.
 Vec2 spot_of(const Json* value)
 {
     if (!value)
@@ -174,7 +174,7 @@ bool is_bent(const std::vector<FileKey>& keys)
     });
 }
 
-/// Grows by the ways between keys, and by a line wherever the position jumps.
+/// A path that is extended by the curves between keys, and by a line wherever the position jumps.
 class GrowingPath {
 public:
     explicit GrowingPath(Vec2 from) : outline_{from, {}, false} {}
@@ -206,7 +206,7 @@ scene::Curve curve_from(const FileKey& key, Vec2 end)
     return scene::cubic_to(spot_of(key.begin) + out, end + in, end);
 }
 
-/// The lengths at which the ways begin and end, as values.
+/// The transitions between keys with path lengths as values.
 std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey>& keys)
 {
     constexpr double endless = std::numeric_limits<double>::infinity();
@@ -227,7 +227,7 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
     return ways;
 }
 
-/// Nothing if it leads nowhere.
+/// Nothing if it has no extent.
 std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading,
                                                 bool turns)
 {

@@ -4,7 +4,7 @@
 
 namespace kfast::lottie {
 
-/// "ks" of a layer, with its turns in space ("ddd") and its direction along the path ("ao").
+/// "ks" of a layer, with its rotations in space ("ddd") and its direction along the path ("ao").
 art::Transform read_layer_transform(const Json& layer, const Reading& reading);
 
 /// Sets the position of a transform from "p" of `owner`. Along a path where it has tangents, and where
@@ -17,7 +17,7 @@ std::optional<double> steady_value(const art::Channel& channel);
 /// Whether it never leaves its plane.
 bool is_flat(const art::Transform& transform);
 
-/// Lottie grows before it leans, a transform the other way round: turns the one into the other where the
+/// Lottie scales before it skews, a transform does the opposite: converts the one into the other where the
 /// scales differ.
 void skew_before_scaling(art::Transform& transform);
 

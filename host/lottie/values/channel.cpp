@@ -12,7 +12,7 @@ namespace kfast::lottie {
 
 namespace {
 
-/// A number alone stands for all components.
+/// A single number represents all components.
 double component(const Json& value, std::size_t index, double default_value)
 {
     if (!value.is_array())
@@ -120,7 +120,7 @@ Vec2 tangent_of(const Json* tangents, std::size_t index)
 
 bool is_zero(Vec2 spot) { return spot.x == 0 && spot.y == 0; }
 
-/// In keys, paths stand in a list of one.
+/// In keys, paths are in a list of one.
 const Json& path_itself(const Json& value)
 {
     const Json& path = value.is_array() && !value.empty() ? value.front() : value;
@@ -129,7 +129,7 @@ const Json& path_itself(const Json& value)
     return path;
 }
 
-/// All as cubics. In files before version 4.4.18 the shape says whether it is closed.
+/// The drawing, all cubics. In files before version 4.4.18 the shape says whether it is closed.
 art::Drawing drawing_of(const Json& value, bool usually_closed, art::Budget& budget)
 {
     const Json& path = path_itself(value);
@@ -159,7 +159,7 @@ bool is_straight(const art::Drawing& drawing, std::size_t index)
     return is_zero(curve.c1 - from) && is_zero(curve.c2 - curve.to);
 }
 
-/// Lines are told as such. On the way from a line to a curve, tangents grow from nothing: both stay cubic.
+/// Makes lines of straight cubics. Between a line and a curve, tangents grow from 0: both stay cubic.
 void straighten(art::Animated<art::Drawing>& drawings)
 {
     std::size_t max = 0;

@@ -13,17 +13,17 @@ namespace kfast::lottie {
 
 using Json = nlohmann::json;
 
-/// Turns the times of a layer, or of a precomposition, into frames of the scene: start and stretch.
+/// Converts the times of a layer, or of a precomposition, to frames of the scene: start and stretch.
 struct LayerTime {
     double start = 0;
     double stretch = 1; ///< not 0
     double scene_frame(double frame) const { return start + stretch * frame; }
 };
 
-/// A property (an object with "k") as a number over time: of its component `index`, if it has several. With
-/// eases that differ from one component to the next, each takes its own. A negative stretch turns the keys
-/// round. `factor` multiplies the values (percent: 0.01). A property that is missing is `default_value`; one
-/// of another kind throws Failure.
+/// A property (an object with "k") as a number over time: of its component `index`, if it has several. If
+/// eases differ between components, each uses its own. A negative stretch reverses the keys. `factor`
+/// multiplies the values (percent: 0.01). A property that is missing is `default_value`; one of another kind
+/// throws Failure.
 art::Channel read_channel(const Json& owner, const char* name, std::size_t index, double default_value,
                           double factor, const LayerTime& time, art::Budget& budget);
 
@@ -40,8 +40,8 @@ enum class Dependence {
     curved,
 };
 
-/// A number that is computed from others, exactly where only one of them changes and it depends on that one
-/// by a straight line; otherwise baked, within `tolerance`.
+/// A number that is computed from others, exactly where only one of them changes and it depends linearly on
+/// that one; otherwise baked, within `tolerance`.
 art::Channel combined(const std::function<double(double)>& value_at,
                       std::initializer_list<const art::Channel*> channels, Dependence dependence,
                       double tolerance, art::Budget& budget);

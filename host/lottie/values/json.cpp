@@ -112,7 +112,7 @@ namespace {
                   text);
 }
 
-/// Before parsing, for the parser keeps what it has read on a stack of its own.
+/// Done before parsing, for the parser keeps what it has read on a stack of its own.
 void check_depth(const SourceText& source)
 {
     int depth = 0;
@@ -160,7 +160,7 @@ void add_step(std::string& path, const std::string& name)
     path += name;
 }
 
-/// Extends the path by the way from `from` to the place.
+/// Extends the path by the members from `from` to the place.
 bool find_path(const Json& from, const Json* place, std::string& path)
 {
     if (&from == place)

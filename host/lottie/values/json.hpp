@@ -10,8 +10,8 @@ namespace kfast::lottie {
 
 using Json = nlohmann::json;
 
-/// A member of the file that is not as it has to be. The text says what is wrong and what would help; where
-/// it is, read_lottie finds by the address of the value.
+/// An invalid member of the file. The text says what is wrong and what would help; read_lottie finds its
+/// location by the address of the value.
 class WrongMember : public Failure {
 public:
     WrongMember(const Json& place, const std::string& text) : Failure{text}, place_{&place} {}
@@ -23,7 +23,7 @@ private:
     const Json* place_;
 };
 
-/// The furthest that a number may be from 0: what is computed of such numbers stays finite.
+/// The farthest that a number may be from 0: what is computed from such numbers stays finite.
 inline constexpr double largest_number = 1e9;
 
 /// Nothing if there is none, if it is null, or if `owner` is no object.
@@ -33,22 +33,22 @@ const Json* find_member(const Json& owner, const char* name);
 double number_of(const Json& value);
 double number_at(const Json& owner, const char* name, double default_value);
 double number_at(const Json& owner, const char* name);
-/// Also 0 and 1 in place of a truth.
+/// Also accepts 0 and 1 in place of a boolean.
 bool truth_at(const Json& owner, const char* name, bool default_value);
 std::string text_at(const Json& owner, const char* name);
-/// Empty where it is no text: what is only told to people need not be right.
+/// Empty if it is no text: what is only shown to people need not be valid.
 std::string name_at(const Json& owner, const char* name);
 /// A text; also a number, as if it were one.
 std::string identifier_at(const Json& owner, const char* name);
 const Json& array_at(const Json& owner, const char* name);
 
-/// A whole number; others are cut.
+/// A whole number; others are truncated.
 int whole_at(const Json& owner, const char* name, int default_value);
 
-/// How deep lists and objects may lie in each other.
+/// How deeply lists and objects may be nested.
 inline constexpr int deepest_json = 256;
 
-/// Throws Failure with line and column where the text is no JSON, or too deep.
+/// Throws Failure with line and column if the text is no JSON, or nested too deeply.
 Json parse_json(const SourceText& source);
 
 /// Where `place` is within `root`, such as layers[3].ks.p; empty if it is `root`, or not in it.

@@ -15,7 +15,7 @@ using art::EaseKind;
 using art::mixed;
 using art::same_form;
 
-/// Where time runs slower than that, it stands still.
+/// Where time runs slower than that, it is taken as stopped.
 constexpr double slowest = 1e-6;
 
 TimePiece piece_between(double from, double to, double begin, double end)
@@ -34,7 +34,7 @@ void add_eased(std::vector<TimePiece>& pieces, const art::Channel& frame, double
     }
 }
 
-/// The stretch of a way between two of its moments.
+/// Adds the part of a transition between two of its times.
 template <typename Value>
 void add_stretch(std::vector<Way<Value>>& ways, const art::Key<Value>& key, const art::Key<Value>& next,
                  double from, double to)
@@ -51,7 +51,7 @@ void add_stretch(std::vector<Way<Value>>& ways, const art::Key<Value>& key, cons
                         mixed(key.value, next.value, part.way_to), part.ease});
 }
 
-/// The ways between two frames of the composition, in its own times.
+/// The transitions between two frames of the composition, in its own times.
 template <typename Value>
 std::vector<Way<Value>> ways_within(const art::Animated<Value>& animated, double from, double to)
 {
@@ -85,7 +85,7 @@ void add_ways(std::vector<Way<Value>>& ways, const art::Animated<Value>& animate
     ways.insert(ways.end(), stretched.begin(), stretched.end());
 }
 
-/// What is the same value but for rounding is no jump.
+/// A difference by rounding alone is no jump.
 template <typename Value>
 void mend(std::vector<Way<Value>>& ways)
 {
@@ -129,7 +129,7 @@ void retime(art::Animated<Value>& animated, const std::vector<TimePiece>& pieces
     take(budget, animated);
 }
 
-/// When a span of the composition is seen, rising and apart.
+/// When spans of the composition are visible, ascending and disjoint.
 std::vector<art::Span> retimed(const std::vector<art::Span>& spans, const std::vector<TimePiece>& pieces)
 {
     std::vector<art::Span> result;

@@ -7,7 +7,7 @@
 
 namespace kfast::lottie {
 
-/// Between two moments of the scene, the frame of a composition goes evenly from one to another, either way.
+/// Between two times of the scene, the frame of a composition changes linearly, in either direction.
 struct TimePiece {
     double from = 0; ///< of the scene
     double to = 0;
@@ -19,7 +19,7 @@ struct TimePiece {
 /// eased there is a piece for each frame.
 std::vector<TimePiece> time_pieces(const art::Channel& frame, const art::Span& span, art::Budget& budget);
 
-/// Turns times of the composition into those of the scene.
+/// Converts times of the composition to those of the scene.
 void retime(std::vector<art::Node>& nodes, const std::vector<TimePiece>& pieces, art::Budget& budget);
 
 }

@@ -18,24 +18,24 @@ struct FileKey {
     double time = 0;             ///< in frames of the layer's composition
     const Json* key = nullptr;   ///< all of it
     const Json* begin = nullptr; ///< the value from here on
-    const Json* end = nullptr;   ///< the value that the way from here leads to, in old files; else nothing
+    const Json* end = nullptr;   ///< the value at the end of the transition, in old files; else null
     bool hold = false;
 };
 
 /// Of a property: an object with "k", or the value alone.
 struct Property {
-    const Json* value = nullptr; ///< if it is still; nothing if it is missing
+    const Json* value = nullptr; ///< if it is still; null if it is missing
     std::vector<FileKey> keys;   ///< if it is animated; their times do not fall
 };
 
 /// Throws WrongMember.
 Property read_property(const Json& owner, const char* name);
 
-/// Of component `index` on the way that leaves the key.
+/// The ease of component `index` in the transition that leaves the key.
 art::Ease read_ease(const FileKey& key, std::size_t index);
 
-/// A value on its way from one moment to another. The way before the first key and the one behind the last
-/// are endless.
+/// The transition of a value from one time to another. The one before the first key and the one after the
+/// last are endless.
 template <typename Value>
 struct Way {
     double from = 0;
@@ -45,7 +45,7 @@ struct Way {
     art::Ease ease = {};
 };
 
-/// The ways of a property between its keys; `value_of` makes a value of Json. At least one key.
+/// The transitions of a property between its keys; `value_of` makes a value of Json. At least one key.
 template <typename Value, typename ValueOf>
 std::vector<Way<Value>> read_ways(const std::vector<FileKey>& keys, std::size_t index, ValueOf value_of)
 {
@@ -67,7 +67,7 @@ std::vector<Way<Value>> read_ways(const std::vector<FileKey>& keys, std::size_t 
     return ways;
 }
 
-/// In frames of the scene, in their order there.
+/// Converts them to frames of the scene, in their order there.
 template <typename Value>
 void place_in_scene(std::vector<Way<Value>>& ways, const LayerTime& time)
 {
@@ -85,10 +85,10 @@ void place_in_scene(std::vector<Way<Value>>& ways, const LayerTime& time)
     }
 }
 
-/// What a jump takes: the scene tells times apart by 1/1024 frame.
+/// The duration of a jump: the scene's resolution of time is 1/1024 frame.
 inline constexpr double jump_time = 1.0 / 1024;
 
-/// Where a way does not begin as the one before ended, the value jumps.
+/// Where a transition does not begin at the value where the one before ended, the value jumps.
 template <typename Value>
 art::Animated<Value> joined(const std::vector<Way<Value>>& ways)
 {

@@ -13,7 +13,7 @@ namespace kfast::scene {
 /// In all drawings, keys counted as well.
 inline constexpr std::size_t max_points_of_scene = std::size_t{1} << 22;
 inline constexpr std::size_t max_keys = 65'535;                          ///< of an item
-inline constexpr std::size_t max_ordered_items = kfb::max_ordered_items; ///< beside each other
+inline constexpr std::size_t max_ordered_items = kfb::max_ordered_items; ///< in one list
 inline constexpr std::size_t max_symbols = kfb::max_symbols;             ///< of items, in use
 inline constexpr std::size_t max_clips = kfb::max_clips;
 inline constexpr std::size_t max_inputs = kfb::max_inputs;
@@ -23,8 +23,8 @@ inline constexpr std::size_t max_backbone_segments = kfb::max_backbone_segments;
 inline constexpr std::size_t max_skeletons = kfb::max_bones;
 inline constexpr std::size_t max_bones = kfb::max_bones;                   ///< of a skeleton
 inline constexpr std::size_t max_bones_together = kfb::max_bones_together; ///< of all skeletons
-/// By all poses of a scene, a pose counted wherever its name stands: copies would soon be more than any
-/// memory holds.
+/// For all poses of a scene together, a pose counted wherever its name is used: copies would soon be more
+/// than any memory holds.
 inline constexpr std::size_t max_posed_bones = std::size_t{1} << 19;
 inline constexpr std::size_t max_bones_at_point = kfb::max_bones_at_point;
 inline constexpr int deepest_item = kfb::max_depth; ///< groups and uses around it
@@ -37,7 +37,7 @@ inline constexpr int widest_stroke = kfb::max_width / 16;  ///< pixels
 
 inline constexpr std::int32_t longest_bone = 65'535; ///< 1/16 px
 
-/// Whether the format holds it, in 1/16 px.
+/// Whether the format can store it, in 1/16 px.
 constexpr bool is_bone_origin(std::int32_t coordinate)
 {
     return coordinate >= -32'768 && coordinate <= 32'767;

@@ -12,7 +12,7 @@
 namespace kfast::scene {
 namespace {
 
-/// Those of the known names that CSS has had from the start.
+/// Those of the known names that were in the first version of CSS.
 constexpr std::array<std::string_view, 16> first_names{
     "black", "silver", "gray",  "white",  "maroon", "red",  "purple", "fuchsia",
     "green", "lime",   "olive", "yellow", "navy",   "blue", "teal",   "aqua"};

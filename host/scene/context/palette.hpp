@@ -22,7 +22,7 @@ std::optional<Colour> hex_colour(std::string_view text);
 /// The colours a scene names, and those it uses.
 class Palette {
 public:
-    /// The place of an earlier declaration of that name, if there is one; then nothing is changed.
+    /// Returns the location of an earlier declaration of that name, if there is one; then nothing is changed.
     std::optional<SourceSpan> declare(const std::string& name, Colour colour, SourceSpan place);
     std::size_t declared() const { return named_.size(); }
 
@@ -33,7 +33,7 @@ public:
 
     /// All names that find() knows, the declared ones first.
     std::vector<std::string_view> names() const;
-    /// The declared ones, and of the others those that CSS has had from the start.
+    /// The declared ones, and of the others those that were in the first version of CSS.
     std::vector<std::string_view> common_names() const;
     /// Each once, in the order of their first use.
     const std::vector<Colour>& used() const { return used_; }

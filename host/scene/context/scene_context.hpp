@@ -21,7 +21,7 @@ namespace kfast::scene {
 /// memory holds.
 class PointBudget {
 public:
-    /// False when they are too many; then nothing is taken.
+    /// Returns false if they are too many; then nothing is taken.
     bool take(std::size_t points)
     {
         if (points > left_)
@@ -64,7 +64,7 @@ struct LineLetters {
     SourceSpan place;
 };
 
-/// What is known of a scene while its nodes are read.
+/// What is known about a scene while its nodes are read.
 struct SceneContext {
     Report report;
     Palette palette;
@@ -86,7 +86,7 @@ inline Report& report_of(SceneContext& context) { return context.report; }
 /// Whether the scene has room for as many points, a key counted as one; reports it if not.
 bool take_points(std::size_t points, SourceSpan place, SceneContext& context);
 
-/// Of the tables of the language.
+/// A rule in the tables of the language.
 template <class Target>
 using PropertyRule = schema::PropertyRule<Target, SceneContext>;
 

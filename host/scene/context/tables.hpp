@@ -20,7 +20,7 @@ struct InputEntry {
     Input input;
     SourceSpan place;
     bool is_used = false;       ///< keys go by it
-    bool is_range_known = true; ///< else it was wrong
+    bool is_range_known = true; ///< else it was invalid
 };
 
 /// The inputs of a scene in their order.
@@ -57,7 +57,7 @@ struct SkeletonTable {
     std::vector<Skeleton> entries;
 };
 
-/// What a symbol holds, and how far reading it has come.
+/// The content of a symbol, and how far it has been read.
 struct SymbolEntry {
     enum class Kind : std::uint8_t { items, drawing };
     enum class State : std::uint8_t { unread, in_progress, good, bad };
@@ -68,21 +68,21 @@ struct SymbolEntry {
     State state = State::unread;
     bool is_used = false;
     std::optional<Kind> kind;
-    int depth = 0; ///< how deep groups and uses in it lie in each other
+    int depth = 0; ///< how deeply groups and uses in it are nested
 
     std::vector<Item> items; ///< a Use in it has the number of the entry
     std::vector<Key> keys;   ///< of a drawing: at least one
-    /// Of a drawing without keys: what its only key has, before rounding.
+    /// For a drawing without keys: the outlines of its only key, before rounding.
     std::optional<std::vector<Outline>> still;
-    std::string line_font; ///< that of a text in the drawing whose letters are lines; empty: there is none
+    std::string line_font; ///< font of a text in the drawing whose letters are lines; empty: there is none
 
     std::optional<std::size_t> scene_index; ///< in Scene::symbols
 };
 
-/// The symbols of a scene. All are added before any is looked for.
+/// The symbols of a scene. All are added before any is looked up.
 class SymbolTable {
 public:
-    /// The place of an earlier symbol of that name, if there is one; then nothing is changed.
+    /// Returns the location of an earlier symbol of that name, if there is one; then nothing is changed.
     std::optional<SourceSpan> add(const SymbolEntry& entry);
     /// Null when there is no such symbol.
     SymbolEntry* find(std::string_view name);

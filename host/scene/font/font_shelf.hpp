@@ -25,7 +25,7 @@ class Font {
 public:
     virtual ~Font() = default;
 
-    /// The units that a text's size stands for.
+    /// How many units the size of a text is.
     virtual double units_per_em() const = 0;
     /// Null when the font has no such character. Lives as long as the font.
     virtual const Letter* letter(char32_t character) = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char32_t first_character = U' ';
 constexpr char32_t last_character = U'~';
-constexpr double baseline = 9; ///< the feet of the capitals
+constexpr double baseline = 9; ///< the bottom of the capitals
 
 double distance(char character) { return character - 'R'; }
 
@@ -84,7 +84,7 @@ private:
 
 Letter read_letter(Columns& columns)
 {
-    columns.take_number(5); // tells nothing here: many files have the same for all glyphs
+    columns.take_number(5); // useless here: many files have the same for all glyphs
     const std::size_t pairs = columns.take_number(3);
     const std::string_view ends = columns.take(2);
     Letter letter;

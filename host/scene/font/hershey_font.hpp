@@ -18,8 +18,8 @@ std::span<const HersheyFace> hershey_faces();
 /// A font of Dr. A. V. Hershey in the JHF format of James Hurt, for the characters of ASCII from space to ~.
 ///
 /// A glyph is a number in five columns, the count of its pairs in three, and the pairs: two characters each,
-/// whose distances from R are x and y (down). The first pair is the left and the right end of the letter,
-/// " R" lifts the pen. Lines may end anywhere within the pairs.
+/// whose distances from R are x and y (down). The first pair is the left and the right edge of the letter, "
+/// R" lifts the pen. Lines may end anywhere within the pairs.
 ///
 /// Its capitals are 21 units high, the tallest brackets 32, which is the em: a capital is 21/32 of a text's
 /// size. All segments are lines.

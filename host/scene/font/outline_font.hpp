@@ -8,9 +8,9 @@
 
 namespace kfast::scene {
 
-/// A font file with outlines (TrueType, OpenType, Type 1 …), read by FreeType. The outlines are taken as they
-/// are designed, without hinting; quadratic curves become the same cubic ones. Kerning comes from the table
-/// `kern`, where the file has one.
+/// A font file with outlines (TrueType, OpenType, Type 1 …), read by FreeType. The outlines are used
+/// unhinted; quadratic curves become the same cubic ones. Kerning comes from the table `kern`, where the file
+/// has one.
 class OutlineFont : public Font {
 public:
     /// Throws Failure when `bytes` are no font, or one without outlines.

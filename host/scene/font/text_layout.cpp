@@ -42,7 +42,7 @@ public:
     {
     }
 
-    /// Whether there were points enough.
+    /// Returns whether there were enough points.
     bool set(std::u32string_view line, double baseline)
     {
         const std::vector<double> stops = stops_of(line);
@@ -56,7 +56,7 @@ public:
     std::vector<Outline> take() { return std::move(outlines_); }
 
 private:
-    /// Where each letter begins, from the beginning of the line; behind them where the line ends.
+    /// Where each letter begins, from the beginning of the line; the last one is where the line ends.
     std::vector<double> stops_of(std::u32string_view line) const
     {
         std::vector<double> stops;

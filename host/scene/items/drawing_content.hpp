@@ -10,8 +10,8 @@
 
 namespace kfast::scene {
 
-/// What stands inside an object, or inside a symbol that is a drawing. The drawings are either in keys or
-/// directly inside.
+/// The content of an object, or of a symbol that is a drawing. The drawings are either in keys or directly
+/// inside.
 struct DrawingContent {
     std::vector<ItemKey> keys;
     std::vector<TimedQuantity> timed;    ///< of objects
@@ -20,7 +20,7 @@ struct DrawingContent {
     bool is_valid = true;                ///< all nodes were known, all keys have their time
 };
 
-/// The nodes that such a thing may hold. `holder` is not KeyHolder::group, here and below.
+/// The names of the nodes that these may hold. `holder` is not KeyHolder::group, here and below.
 std::vector<std::string_view> names_in_drawing(KeyHolder holder);
 
 DrawingContent read_drawing_content(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
@@ -32,7 +32,7 @@ bool is_wire_frame(const std::vector<Key>& keys);
 /// Reports drawings without depths among others that have them.
 void refuse_mixed_depths(const std::vector<Key>& keys, SceneContext& context);
 
-/// Reports what an object that is a wire frame cannot have: a fill, what carries it, matching by length.
+/// Reports what an object that is a wire frame cannot have: a fill, what deforms it, matching by length.
 void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content, const std::vector<Key>& keys,
                          SceneContext& context);
 

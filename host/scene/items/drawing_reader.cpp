@@ -20,10 +20,10 @@ namespace kfast::scene {
 
 namespace {
 
-/// Where a copy of a drawing goes: grown and turned about (0, 0), then moved.
+/// The placement of a copy of a drawing: scaled and rotated about (0, 0), then moved.
 class Placement {
 public:
-    /// Uses the place, rotation and scale of `values`.
+    /// Uses the position, rotation and scale of `values`.
     explicit Placement(const ItemValues& values);
 
     Vec2 of(Vec2 spot) const;
@@ -31,7 +31,7 @@ public:
 
 private:
     Vec2 origin_;
-    Vec2 x_axis_; ///< where (1, 0) goes, without the move
+    Vec2 x_axis_; ///< the image of (1, 0), without the move
     Vec2 y_axis_;
 };
 
@@ -141,7 +141,7 @@ void DrawingReader::read_strokes(const kdl::Node& node)
             return;
 }
 
-/// Whether `node` has a depth as the nodes before it have, or none as they; reports the first that differs.
+/// Whether `node` has a depth exactly if the nodes before it have one; reports the first that differs.
 bool DrawingReader::goes_with_others(const kdl::Node& node)
 {
     const bool has_depth = is_wire(node.name);

@@ -27,16 +27,16 @@ public:
 
     /// Adds the strokes of `node`, for which is_drawn() holds; reports it when it is wrong.
     void read(const kdl::Node& node);
-    /// Likewise for all of `nodes`, until there are too many errors.
+    /// Reads all of `nodes`, until there are too many errors.
     void read(std::span<const kdl::Node* const> nodes);
     Drawing take() { return std::move(drawing_); }
     /// See Key::depths.
     Drawing take_depths() { return std::move(depths_); }
     /// See Key::sectors.
     std::vector<SectorStroke> take_sectors() { return std::move(sectors_); }
-    /// What take() gives, before rounding.
+    /// What take() returns, before rounding.
     std::vector<Outline> take_outlines() { return std::move(outlines_); }
-    /// How deep symbols that have been copied lie in each other.
+    /// How deeply symbols that have been copied are nested.
     int depth() const { return depth_; }
 
 private:
@@ -61,7 +61,7 @@ private:
     bool is_mixed_ = false;          ///< has been reported
 };
 
-/// The ids of nodes among which there are such that draw.
+/// The ids for `names`, some of which are nodes that draw.
 std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names);
 NodeSchema empty_words();
 

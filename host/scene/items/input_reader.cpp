@@ -155,7 +155,7 @@ void add_input(const kdl::Node& node, SceneContext& context)
     }
     if (context.inputs.entries.size() == max_inputs)
         context.report.error(place, "a scene has at most " + std::to_string(max_inputs) + " inputs");
-    // One that is wrong is kept, so that what names it is not wrong as well.
+    // An invalid one is kept, so that references to it are not errors as well.
     entry.input.name = *name;
     entry.place = place;
     context.inputs.entries.push_back(std::move(entry));

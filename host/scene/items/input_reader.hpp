@@ -18,10 +18,10 @@ inline constexpr std::array input_types{
     Word<InputType>{"drawing", InputType::drawing},
 };
 
-/// What the property `kind` of an input says; a number if there is none, or if it is wrong.
+/// What the property `kind` of an input says; a number if there is none, or if it is invalid.
 InputType input_type(const kdl::Node& node);
 
-/// Whether the value of such a property is good; reports it if not.
+/// Whether the value of such a property is valid; reports it if not.
 bool check_input_type(const kdl::Value& value, SceneContext& context);
 
 /// For the table of properties of an input.
@@ -33,21 +33,21 @@ bool check_own_type(const kdl::Value& value, Target&, SceneContext& context)
 
 inline constexpr std::string_view input_name = "input";
 
-/// Adds what `node` says to the inputs; what is wrong is reported.
+/// Adds the input that `node` describes; what is wrong is reported.
 void add_input(const kdl::Node& node, SceneContext& context);
 
-/// After everything that may go by them.
+/// Called after everything that may use them.
 void warn_of_unused_inputs(SceneContext& context);
 
-/// Of numbers, texts and drawings.
+/// The schema of number, text and drawing inputs.
 std::vector<NodeSchema> input_words();
 
-/// What `node`, an input, says of a drawing; what is wrong is reported.
+/// Reads what `node`, an input, says about a drawing; what is wrong is reported.
 DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context);
 
 std::vector<PropertySchema> drawing_input_words();
 
-/// What an input node of kind=text says. What is wrong is reported, and then one that takes a place.
+/// Reads what an input node of kind=text says. What is wrong is reported, and then a placeholder is returned.
 TextInput read_text_input(const kdl::Node& node, SceneContext& context);
 
 std::vector<PropertySchema> text_input_words();

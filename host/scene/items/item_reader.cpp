@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::array names_in_use{key_name, track_name};
 
-/// How a use changes.
+/// How a use changes over time.
 struct Changes {
     std::vector<ItemKey> keys;
     std::vector<TimedQuantity> timed;
@@ -56,7 +56,7 @@ Changes read_changes(const kdl::Node& node, const KeyDriver& driver, SceneContex
 }
 
 /// A symbol of items, used as an item: its Use has the number of the symbol's entry in `context.symbols`.
-/// Nothing when it cannot be used; what is wrong is reported. `depth` groups and uses lie around it.
+/// Nothing when it cannot be used; what is wrong is reported. `depth` groups and uses are around it.
 std::optional<Item> read_use(const kdl::Node& node, int depth, SceneContext& context)
 {
     auto use = read_items_use(node, context);
@@ -131,7 +131,7 @@ std::string read_group_name(const kdl::Node& node, SceneContext& context)
     return std::string{read_name(node.arguments.front(), context.report).value_or("")};
 }
 
-/// Of nodes that a group may hold.
+/// The names of the nodes that a group may hold.
 std::vector<std::string_view> names_inside()
 {
     std::vector<std::string_view> names{item_names().begin(), item_names().end()};
@@ -146,7 +146,7 @@ void report_unknown(const kdl::Node& node, SceneContext& context)
                          word_hint(node.name, names_inside()));
 }
 
-/// What stands inside of a group.
+/// The content of a group.
 struct GroupContent {
     Group group;
     KeyList keys;

@@ -16,17 +16,17 @@ namespace kfast::scene {
 std::span<const std::string_view> item_names();
 bool is_item(std::string_view name);
 
-/// Adds what `node`, for which is_item() holds, is; reports what is wrong. `depth` groups and uses lie around
-/// it, those around a use of its symbol apart.
+/// Adds the item `node`, for which is_item() holds; reports what is wrong. `depth` groups and uses are around
+/// it, not counting those around a use of its symbol.
 void read_item(const kdl::Node& node, int depth, std::vector<Item>& items, SceneContext& context);
 
-/// `items` are all that lie beside each other.
+/// `items` are all in one list.
 void refuse_crowded_order(std::span<const Item> items, SceneContext& context);
 
 inline constexpr std::string_view group_name = "group";
 
-/// Nothing when the node gives no usable group; what is wrong is reported. `depth` groups and uses lie
-/// around it.
+/// Nothing when the node is no usable group; what is wrong is reported. `depth` groups and uses are around
+/// it.
 std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& context);
 
 NodeSchema group_words();

@@ -18,8 +18,8 @@ namespace kfast::scene {
 
 namespace {
 
-/// Warns of each law and match that has no way to govern: no later key sets what its key sets. `keys` are
-/// those of one item.
+/// Warns of each law and match that governs nothing: no later key sets what its key sets. `keys` are those of
+/// one item.
 void warn_of_idle_laws(std::span<const ItemKey> keys, SceneContext& context);
 
 /// What keys set, a bit for each Property, and for drawings and skeletons one for each axis.
@@ -47,7 +47,7 @@ Things set_by(const ItemKey& key)
     return things;
 }
 
-/// What of it a law of the other axis has not taken away.
+/// What is not governed by a law of its own axis.
 Things governed_by_both(const ItemKey& key)
 {
     const Things taken = (key.laws.x ? of_x : 0) | (key.laws.y ? of_y : 0);
@@ -61,7 +61,7 @@ void warn(const ItemKey& key, std::string_view property, SceneContext& context)
                            "remove it, or let a later key set what this one sets");
 }
 
-/// `ways` are those that lead from `key` to a later one.
+/// `ways` are the things that a later key sets as well.
 void warn_of_idle_laws(const ItemKey& key, Things ways, SceneContext& context)
 {
     if (key.laws.both && (ways & governed_by_both(key)) == 0)
@@ -78,7 +78,7 @@ void warn_of_idle_laws(std::span<const ItemKey> keys, SceneContext& context)
 {
     Things later = 0;
     for (std::size_t i = keys.size(); i-- > 0;) {
-        // What the first key leaves out, its item gives it.
+        // What the first key leaves out comes from its item.
         const Things own = set_by(keys[i]) | (i == 0 ? all_properties : 0);
         warn_of_idle_laws(keys[i], own & later, context);
         later |= own;
@@ -99,7 +99,7 @@ bool KeyList::read(const kdl::Node& node)
 std::vector<ItemKey> KeyList::take()
 {
     warn_of_idle_laws(keys_, context_);
-    // The way to a key is seen in part if it begins before the end.
+    // The transition to a key is visible in part if it begins before the end.
     if (driver_.is_time())
         take_times(keys_, 1, key_name, context_);
     return std::move(keys_);

@@ -8,7 +8,7 @@
 
 namespace kfast::scene {
 
-/// The keys of one item or symbol, in the order of their moments.
+/// The keys of one item or symbol, in the order of their times.
 class KeyList {
 public:
     KeyList(KeyHolder holder, const KeyDriver& driver, SceneContext& context)
@@ -16,9 +16,9 @@ public:
     {
     }
 
-    /// `node` must live as long as the keys. Whether it was a key at a moment of its own.
+    /// `node` must live as long as the keys. Returns whether it was a key at a time of its own.
     bool read(const kdl::Node& node);
-    /// After the last key: all of them. Their laws are looked at, and how far they reach in time.
+    /// After the last key: returns all of them. Checks their laws, and how far they reach in time.
     std::vector<ItemKey> take();
 
 private:

@@ -47,7 +47,7 @@ bool read_key_properties(const kdl::Node& node, KeyHolder holder, ItemKey& key, 
     return false;
 }
 
-/// Whether it is more than a law or a match, which say how and not what.
+/// Whether it sets a value: laws and matches say how and not what.
 bool is_setting(const kdl::Property& property)
 {
     return std::ranges::find(symbol_key_rules, property.name, &PropertyRule<ItemKey>::name) ==
@@ -70,7 +70,7 @@ bool report_idle_key(const ItemKey& key, KeyHolder holder, SceneContext& context
 
 bool is_skeleton(const kdl::Node& node) { return node.name == skeleton_name; }
 
-/// Of nodes that a key with a drawing may hold.
+/// The names of the nodes that a key with a drawing may hold.
 std::vector<std::string_view> names_inside(KeyHolder holder)
 {
     std::vector<std::string_view> names = drawn_names();

@@ -16,19 +16,19 @@
 namespace kfast::scene {
 
 inline constexpr std::string_view key_name = "key";
-// Ids (NodeSchema) of those that do not stand in objects.
+// Ids (NodeSchema) of keys that are not in objects.
 inline constexpr std::string_view group_key_id = "key of group";
 inline constexpr std::string_view symbol_key_id = "key of symbol";
 inline constexpr std::string_view skeleton_name = "skeleton";
 
-/// What the key stands in; it decides what the key may set.
+/// What the key is in; that decides what the key may set.
 enum class KeyHolder : std::uint8_t {
     object,
     group,  ///< or a use: no drawings
     symbol, ///< of a drawing: nothing else
 };
 
-/// A key as it is written: what it sets, and how that goes on to the next key that sets the same.
+/// A key as it is written: what it sets, and how that changes until the next key that sets the same.
 struct ItemKey {
     const kdl::Node* node = nullptr;
     Time time;
@@ -45,12 +45,12 @@ struct ItemKey {
 /// Whether anything in `key` is a drawing, or would be one.
 bool holds_drawing(const kdl::Node& key);
 
-/// Nothing when it cannot be said when the key is, which is reported like everything else. The key points
-/// to `node`.
+/// Nothing when the time of the key is unknown, which is reported like everything else. The key points to
+/// `node`.
 std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const KeyDriver& driver,
                                 SceneContext& context);
 
-/// Of keys of objects, of groups and uses, and of symbols.
+/// The schema of keys of objects, of groups and uses, and of symbols.
 std::vector<NodeSchema> key_words();
 
 }

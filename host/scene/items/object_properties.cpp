@@ -23,7 +23,7 @@ constexpr std::array fill_rules{Word<FillRule>{"nonzero", FillRule::nonzero},
 constexpr Range widths{1.0 / 16, widest_stroke};
 constexpr Range miters{1, 31};
 
-/// Rounded once to 1/16 px, halves away from zero. Only keys make a width 0.
+/// Rounded once to 1/16 px, halves away from zero. A width of 0 is allowed only in keys.
 bool read_width(const kdl::Value& value, Target& target, SceneContext& context)
 {
     const auto width = read_number(value, widths, context.report);

@@ -11,15 +11,15 @@
 
 namespace kfast::scene {
 
-/// What the node of an object says itself.
+/// The properties of an object's node.
 struct ObjectProperties {
     ItemValues values;
     KeyDriver driver; ///< of its keys
     FillRule fill_rule = FillRule::nonzero;
-    StrokeStyle stroke; ///< but for colour and width, which are among `values`
+    StrokeStyle stroke; ///< without colour and width, which are among `values`
     BeamStyle beam;
     const kdl::Value* skin = nullptr; ///< the name of a skeleton
-    const kdl::Value* bone = nullptr; ///< the name of the bone that alone carries the object
+    const kdl::Value* bone = nullptr; ///< the name of the only bone that deforms the object
     bool turns_changes = false;       ///< see Skin
     const kdl::Value* live = nullptr; ///< the name of the input that is shown instead of drawings
 
@@ -27,7 +27,7 @@ struct ObjectProperties {
     std::optional<StrokeStyle> stroke_style() const;
 };
 
-/// Reports what is wrong; that there is neither fill nor stroke at `place`.
+/// Reports what is wrong; a lack of both fill and stroke at `place`.
 ObjectProperties read_object_properties(const kdl::Node& node, SourceSpan place, SceneContext& context);
 
 std::vector<PropertySchema> object_property_words();

@@ -60,7 +60,7 @@ void refuse_paint_of_nothing(const kdl::Node& object, const DrawingContent& cont
     }
 }
 
-/// What a use may say in place of its object.
+/// What a use may set in place of its object.
 constexpr std::array placed{Property::x,          Property::y,        Property::z,       Property::rotation_x,
                             Property::rotation_y, Property::rotation, Property::scale_x, Property::scale_y};
 
@@ -213,7 +213,7 @@ private:
                               "put shapes into the input, or remove live=…");
     }
 
-    /// A skin needs the drawing itself to stand where the use says.
+    /// A skin needs the drawing itself to be at the position of the use.
     bool is_placed_symbol(const DrawingContent& content) const
     {
         return content.drawn.size() == 1 && content.drawn.front()->name == use_name &&
@@ -232,7 +232,7 @@ private:
                     .place = place_}};
     }
 
-    /// The object stands where its use says, so that the drawings stay those of the symbol.
+    /// The object gets the position of its use, so that the drawings stay those of the symbol.
     std::vector<Key> take_symbol(const kdl::Node& node, DrawingContent& content)
     {
         const auto use = read_drawing_use(node, context_);
@@ -265,7 +265,7 @@ private:
         properties_.values[property] = value;
     }
 
-    /// Before anything is in the values of the object that neither it nor its use says.
+    /// Called before the values of the object contain anything that neither it nor its use sets.
     void refuse_duplicates(const DrawingContent& content)
     {
         refuse_duplicate_quantities(content.timed, properties_.values, content.keys, context_);

@@ -30,7 +30,7 @@ bool report_inside(const kdl::Node& node, SceneContext& context)
                                 word_hint(node.name, names_inside));
 }
 
-/// What belongs to each backbone. Nothing if something belongs to none.
+/// The nodes that belong to each backbone. Nothing if a node belongs to none.
 std::optional<std::vector<BackboneNodes>> sorted(const kdl::Node& skeleton, SceneContext& context)
 {
     std::vector<BackboneNodes> backbones;

@@ -10,8 +10,8 @@
 
 namespace kfast::scene {
 
-/// The skeletons of `keys`, which are those of one object, with the laws of their ways; none is there where
-/// keys have none. What is wrong is reported, and then left out.
+/// The skeletons of `keys`, which are those of one object, with the laws of their transitions; keys without
+/// one give none. What is wrong is reported, and then left out.
 std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneContext& context);
 
 NodeSchema skeleton_words();

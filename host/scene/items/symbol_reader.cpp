@@ -25,8 +25,8 @@ namespace kfast::scene {
 
 namespace {
 
-/// How deep groups and uses lie in each other among `items`, in which a Use has the number of an entry in
-/// `symbols`, which has been read.
+/// How deeply groups and uses are nested in `items`, in which a Use has the number of an entry in `symbols`,
+/// which has been read.
 int depth_of(std::span<const Item> items, const SymbolTable& symbols);
 
 int depth_of(const Item& item, const SymbolTable& symbols)
@@ -124,7 +124,7 @@ std::string chain(const SymbolEntry& symbol, const SymbolTable& symbols)
     return names + visible(symbol.name);
 }
 
-/// Once: the rest of a long chain will be read from somewhere else, and be too long as well.
+/// Reported once: the rest of a long chain will be read from somewhere else, and be too long as well.
 bool report_chain(SourceSpan use, SceneContext& context)
 {
     if (!std::exchange(context.symbols.has_long_chain, true))
@@ -132,7 +132,7 @@ bool report_chain(SourceSpan use, SceneContext& context)
     return false;
 }
 
-/// Whether it may be used, as far as can be said without a look at its kind.
+/// Whether it may be used, as far as that is known without its kind.
 bool make_ready(SymbolEntry& symbol, SourceSpan use, SceneContext& context)
 {
     if (symbol.state == SymbolEntry::State::in_progress)
@@ -146,7 +146,7 @@ bool make_ready(SymbolEntry& symbol, SourceSpan use, SceneContext& context)
     return symbol.state == SymbolEntry::State::good;
 }
 
-/// Depth first, so that each symbol comes behind those that it uses.
+/// Depth first, so that each symbol comes after those that it uses.
 class SymbolMover {
 public:
     SymbolMover(Scene& scene, SceneContext& context) : scene_{scene}, context_{context} {}

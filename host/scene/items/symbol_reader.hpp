@@ -15,17 +15,17 @@ inline constexpr std::string_view symbol_name = "symbol";
 /// Enters a symbol in `context.symbols`, unread.
 void add_symbol(const kdl::Node& node, SceneContext& context);
 
-/// The symbol that `name` names, read. Null when it cannot be used: there is none, it is broken, or it is
-/// being read just now and so uses itself. What is wrong is reported.
+/// The symbol that `name` names, read. Null when it cannot be used: there is none, it is invalid, or it is
+/// just being read and so uses itself. What is wrong is reported.
 const SymbolEntry* find_symbol(const kdl::Value& name, SceneContext& context);
 
 /// Reads the symbols that have not been used, for their mistakes, and warns of them.
 void check_unused_symbols(SceneContext& context);
 
-/// Moves the symbols that the items of `scene` use into it, each behind those that it uses.
+/// Moves the symbols that the items of `scene` use into it, each after those that it uses.
 void move_symbols(Scene& scene, SceneContext& context);
 
-/// Of symbols of items, and of those that are drawings.
+/// The schema of symbols of items, and of those that are drawings.
 std::vector<NodeSchema> symbol_words();
 
 }

@@ -35,7 +35,7 @@ constexpr auto items_rules =
     joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
            std::array{PropertyRule<SymbolUse>{"input", read_own_driver<SymbolUse>, any_name}});
 
-/// The place may stand behind the name of the symbol instead of in properties.
+/// The position may follow the name of the symbol instead of being in properties.
 void read_coordinate(const kdl::Node& node, std::size_t argument, std::string_view name,
                      std::optional<std::int32_t>& target, SceneContext& context)
 {

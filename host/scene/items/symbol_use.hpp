@@ -21,7 +21,7 @@ struct Mirror {
     bool y = false;
 };
 
-/// Mirrors what an item is and what its keys and tracks make of it.
+/// Mirrors an item and what its keys and tracks set.
 inline void mirror(const Mirror& axes, ItemValues& item, std::span<ItemKey> keys,
                    std::span<TimedQuantity> timed)
 {
@@ -43,7 +43,7 @@ inline void mirror(const Mirror& axes, ItemValues& item, std::span<ItemKey> keys
 inline constexpr std::string_view use_name = "use";
 inline constexpr std::string_view drawing_use_id = "use of drawing"; ///< among shapes (NodeSchema)
 
-/// A node `use`, its keys apart.
+/// A node `use` without its keys.
 struct SymbolUse {
     const SymbolEntry* symbol = nullptr;
     ItemValues values;
@@ -54,16 +54,16 @@ struct SymbolUse {
 /// A symbol of items, as an item. Nothing when there is no such symbol; what is wrong is reported.
 std::optional<SymbolUse> read_items_use(const kdl::Node& node, SceneContext& context);
 
-/// A symbol that is a drawing, inside an object; `values` has its place, rotation and scale.
+/// A symbol that is a drawing, inside an object; `values` has its position, rotation and scale.
 std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, SceneContext& context);
 
-/// Of a use as an item, and of one among shapes.
+/// The schema of a use as an item, and of one among shapes.
 std::vector<NodeSchema> use_words();
 
 /// What `symbol` holds, before it has been read. If it only uses others, it is what the first of them is.
 SymbolEntry::Kind symbol_kind(const SymbolEntry& symbol, SymbolTable& symbols);
 
-/// Reports that `node` is of the kind that its symbol does not hold.
+/// Reports `node`, which is of the kind that its symbol does not hold.
 void report_mixed_kinds(const kdl::Node& node, SceneContext& context);
 
 }

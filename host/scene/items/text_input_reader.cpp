@@ -46,7 +46,7 @@ constexpr std::array text_input_rules{
     PropertyRule<TextInputProperties>{"default", keep_value<&TextInputProperties::default_value>, any_text},
 };
 
-/// A character and where it stands in its text.
+/// A character and its position in its text.
 struct PlacedCharacter {
     char32_t value = 0;
     SourceSpan place;
@@ -65,13 +65,13 @@ std::vector<PlacedCharacter> characters_of(std::string_view text)
 
 bool is_control(char32_t character) { return character < 0x20 || (character >= 0x7F && character < 0xA0); }
 
-/// Reads characters and ranges of them. Behind a first and before a last character, "-" stands for all
-/// between; elsewhere it is itself.
+/// Reads characters and ranges of them. Between a first and a last character, "-" means all between;
+/// elsewhere it is itself.
 class GlyphReader {
 public:
     GlyphReader(const kdl::Value& value, SceneContext& context) : value_{value}, context_{context} {}
 
-    /// With the space; nothing if something is wrong, which is reported.
+    /// Includes the space; nothing if something is wrong, which is reported.
     std::optional<std::u32string> read()
     {
         const auto written = characters_of(*value_.string());

@@ -13,7 +13,7 @@ namespace kfast::scene {
 
 namespace {
 
-/// Objects with a fill or a stroke say their colours themselves.
+/// Objects with a fill or a stroke set their colours themselves.
 std::int32_t ordinary_value(Property property)
 {
     return property == Property::width ? StrokeStyle{}.width : value_without_track(property);
@@ -55,7 +55,7 @@ void warn_of_idle_pivots(const kdl::Node& node, std::span<const TimedQuantity> t
     }
 }
 
-/// The first key has a value of everything that any key sets. No way leads from the last one.
+/// The first key has a value for everything that any key sets. No transition leaves the last one.
 std::vector<TrackKey> keys_of(Property property, std::int32_t first, std::span<const ItemKey> keys)
 {
     std::vector<TrackKey> track;

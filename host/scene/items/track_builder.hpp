@@ -17,7 +17,7 @@ constexpr bool is_pivot(const Track& track)
     return track.property == Property::pivot_x || track.property == Property::pivot_y;
 }
 
-/// Whether `track` gives a pivot something to do: the item turns or grows about it, or moves it along a path.
+/// Whether `track` makes a pivot matter: the item rotates or scales about it, or moves it along a path.
 constexpr bool needs_pivot(const Track& track)
 {
     switch (track.property) {
@@ -37,19 +37,19 @@ constexpr bool needs_pivot(const Track& track)
 struct KeysOfItem {
     std::span<const ItemKey> keys;
     Driver driver;
-    bool has_depths = false; ///< of a wire frame: its line is as wide as at the pivot, whatever turns it
+    bool has_depths = false; ///< of a wire frame: its line is as wide as at the pivot, however it is rotated
 };
 
-/// What of the item `node` is not the ordinary or changes. `values` are those of the item itself, its pivot
-/// included; of fill, stroke and width there are tracks only where keys set them, of the pivot only where the
-/// item turns or grows about it, or has depths. `timed` wins over `values`.
+/// Tracks for all that is not the default or changes in the item `node`. `values` are those of the item
+/// itself, its pivot included; fill, stroke and width have tracks only if keys set them, the pivot only if
+/// the item rotates or scales about it, or has depths. `timed` takes precedence over `values`.
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
                                 std::span<TimedQuantity> timed, SceneContext& context);
 
-/// The drawings of `keys`, with the laws of their ways; `keys` have none afterwards.
+/// Takes the drawings of `keys`, with the laws of their transitions; `keys` have none afterwards.
 std::vector<Key> take_drawings(std::span<ItemKey> keys);
 
-/// Reports each of `timed` that gives what the item itself (`values`), one of its keys or another track gives
+/// Reports each of `timed` that sets what the item itself (`values`), one of its keys or another track sets
 /// as well, and a path beside a position.
 void refuse_duplicate_quantities(std::span<const TimedQuantity> timed, const ItemValues& values,
                                  std::span<const ItemKey> keys, SceneContext& context);

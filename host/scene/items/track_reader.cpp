@@ -26,7 +26,7 @@ constexpr NodeForm along_form{track_name, "track along \"M …\" { at TIME SHARE
 struct Quantity {
     std::string_view name;
     Property property;
-    std::optional<Property> other = std::nullopt; ///< likewise
+    std::optional<Property> other = std::nullopt; ///< moved as well
 };
 
 constexpr Quantity same_name(Property property) { return {property_name(property), property}; }
@@ -83,7 +83,7 @@ const Quantity* read_quantity(const kdl::Value& value, KeyHolder holder, SceneCo
     return nullptr;
 }
 
-/// What a node `track` says of itself.
+/// The properties of a node `track`.
 struct TrackProperties {
     std::optional<VelocityLaw> law; ///< none: the track is smooth
     bool turns = false;
@@ -159,7 +159,7 @@ private:
         for (const TimedValue& timed : values)
             keys.push_back({timed.time, laws_of(timed), timed.value, timed.place});
         keys.back().laws = {};
-        // The slope of a smooth track at a key depends on the key behind it.
+        // The slope of a smooth track at a key depends on the key after it.
         if (properties_.driver.is_time())
             take_times(keys, properties_.law ? 1 : 2, "value", context_);
         return keys;

@@ -13,13 +13,13 @@ namespace kfast::scene {
 
 inline constexpr std::string_view track_name = "track";
 
-/// A node `track` of an item. Nothing when it cannot be said what it is a track of, which is reported like
-/// everything else. `node` must live as long as the quantity.
+/// Reads a node `track` of an item. Nothing when its quantity is unknown, which is reported like everything
+/// else. `node` must live as long as the quantity.
 std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, SceneContext& context);
 
-/// Of plain tracks, and of those along a path.
+/// The schema of plain tracks, and of those along a path.
 std::vector<NodeSchema> track_words();
-/// What a track may move, and by which values.
+/// The quantities that a track may animate, and their values.
 std::vector<PropertySchema> quantity_words();
 
 }

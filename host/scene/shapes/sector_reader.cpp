@@ -11,7 +11,7 @@
 namespace kfast::scene {
 namespace {
 
-/// What the properties of arc and pie give.
+/// The values of the properties of arc and pie.
 struct Shape {
     Sector sector;
     std::optional<double> inner;

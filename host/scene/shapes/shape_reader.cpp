@@ -63,7 +63,7 @@ std::vector<Outline> read_curve(const kdl::Node& node, std::size_t, SceneContext
 
 std::vector<PropertySchema> curve_words() { return words_of(curve_rules); }
 
-/// What the properties of circle, ellipse and rect give.
+/// The values of the properties of circle, ellipse and rect.
 struct Radii {
     double x = 0;
     double y = 0;
@@ -122,7 +122,7 @@ struct Shape {
     NodeForm form;
     std::vector<Outline> (*read)(const kdl::Node&, std::size_t points_left, SceneContext&);
     std::span<const ValueKind> values;
-    Words (*properties)(); ///< one list for each way to write it
+    Words (*properties)(); ///< one list for each form of it
 };
 
 constexpr ValueKind coordinate = ValueKind::pixels(coordinates);
@@ -139,7 +139,7 @@ Words words_of_rules()
 
 Words no_properties() { return {{}}; }
 
-/// Texts tell their own.
+/// Texts list their own.
 Words no_words() { return {}; }
 
 constexpr std::array shapes{

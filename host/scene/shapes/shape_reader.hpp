@@ -16,8 +16,8 @@ namespace kfast::scene {
 std::span<const std::string_view> shape_names();
 bool is_shape(std::string_view name);
 
-/// The outlines of `node`, for which is_shape() holds; none when it is wrong, which is reported. Only
-/// paths and texts look at `points_left`, and only paths are sure to be in_range().
+/// The outlines of `node`, for which is_shape() holds; none if it is invalid, which is reported. Only paths
+/// and texts use `points_left`, and only paths are sure to be in_range().
 std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
 std::vector<NodeSchema> shape_words();
@@ -33,7 +33,7 @@ std::vector<PropertySchema> regular_words();
 std::vector<Outline> read_arc(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 std::vector<Outline> read_pie(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-/// Of arcs of circles, and of ellipses.
+/// The properties of arcs of circles, and of ellipses.
 std::vector<std::vector<PropertySchema>> arc_words();
 std::vector<PropertySchema> pie_words();
 

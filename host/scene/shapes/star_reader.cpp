@@ -11,7 +11,7 @@ namespace {
 
 constexpr Range counts{3, 1000};
 
-/// What the properties of star and regular give.
+/// The values of the properties of star and regular.
 struct Shape {
     int count = 5; ///< of tips or sides
     double radius = 0;

@@ -23,8 +23,8 @@ namespace {
 
 constexpr NodeForm label_form{"text", "text input=NAME at=\"X,Y\" size=PIXELS font=FONT"};
 
-/// What `pixels` are in the unit of advances, rounded to nearest, halves away from zero. What is more than a
-/// label may be wide stays more.
+/// Converts `pixels` to the unit of advances, rounded to nearest, halves away from zero. What exceeds the
+/// width of a label still exceeds it.
 std::int32_t in_advance_units(double pixels)
 {
     constexpr double max = 2.0 * kfb::max_text_width / kfb::advance_one;
@@ -103,7 +103,7 @@ private:
     SceneContext& context_;
 };
 
-/// As the core bounds it, in the unit of advances.
+/// The bound that the core uses, in the unit of advances.
 std::int64_t widest_step(const Label& label)
 {
     std::int64_t advance = 0;

@@ -12,13 +12,13 @@
 
 namespace kfast::scene {
 
-/// Whether `node` is a text whose words are those of an input.
+/// Whether `node` is a text whose words come from an input.
 bool is_label(const kdl::Node& node);
 
-/// Of a label that stands where only shapes may.
+/// Reports a label where only shapes are allowed.
 void report_label_among_shapes(const kdl::Node& node, SceneContext& context);
 
-/// Of `node`, which is a label. Reports what is wrong and then returns nothing.
+/// Reads `node`, which is a label. Reports what is wrong and then returns nothing.
 std::optional<Label> read_label(const kdl::Node& node, SceneContext& context);
 
 NodeSchema label_words();

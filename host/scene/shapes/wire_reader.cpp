@@ -27,7 +27,7 @@ public:
 
     std::optional<Mesh> read()
     {
-        read_vertices(); // which may stand behind the edges
+        read_vertices(); // which may follow the edges
         if (is_good_ && mesh_.vertices.empty())
             fail(node_.name_span, "this mesh has no vertices", "write vertices X Y Z X Y Z … into it");
         for (const kdl::Node& node : node_.children)

@@ -13,21 +13,21 @@
 /// Each function reports what is wrong and then returns nothing.
 namespace kfast::scene {
 
-/// All values of `node`, by threes; there must be at least one.
+/// All values of `node` as triples, of which there must be at least one.
 std::optional<std::vector<Vec3>> read_space_spots(const kdl::Node& node, SceneContext& context);
 
-/// What stands inside of the node `mesh`.
+/// Reads the content of the node `mesh`.
 std::optional<Mesh> read_mesh(const kdl::Node& node, SceneContext& context);
 
 std::vector<std::string_view> names_inside_mesh();
-/// Of these.
+/// The schema of these.
 std::vector<NodeSchema> mesh_words();
 
 /// The nodes that draw something with a depth: wire, mesh, cuboid.
 std::span<const std::string_view> wire_names();
 bool is_wire(std::string_view name);
 
-/// The wires of `node`, for which is_wire() holds; none when it is wrong, which is reported. Those of a
+/// The wires of `node`, for which is_wire() holds; none if it is invalid, which is reported. Those of a
 /// cuboid may be out of range.
 std::vector<Wire> read_wires(const kdl::Node& node, SceneContext& context);
 

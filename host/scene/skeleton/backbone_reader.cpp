@@ -47,7 +47,7 @@ std::vector<Point> rounded(const std::vector<Vec2>& spots)
     return points;
 }
 
-/// Of the ways from `a` to the others.
+/// The cross product of the vectors from `a` to the others.
 std::int64_t cross(Point a, Point b, Point c)
 {
     const auto product = [](std::int64_t x, std::int64_t y) { return x * y; };

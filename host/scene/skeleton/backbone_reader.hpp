@@ -19,23 +19,23 @@ struct BackboneNodes {
     const kdl::Node* right = nullptr;
 };
 
-/// A backbone as it was read, and how wide it is at each node, if that is how it was given its outline.
+/// A backbone as it was read, and its width at each node, if its outline was given by widths.
 struct ReadBackbone {
     Backbone backbone;
     std::vector<double> widths;
 };
 
-/// Whether it adds what `node`, a width or a left or right side, says of the backbone; reports it if not.
+/// Adds what `node`, a width or a left or right side, says about the backbone; reports it if that fails.
 bool add_side(const kdl::Node& node, BackboneNodes& nodes, SceneContext& context);
 bool is_side(std::string_view name);
 
-/// Nothing when the backbone is wrong, which is reported. `before` is the same backbone in the skeleton
-/// before this one, if there is one: it gives the number of nodes, and the widths to a backbone that has
-/// none.
+/// Nothing if the backbone is invalid, which is reported. `before` is the same backbone in the
+/// skeleton before this one, if there is one: it sets the number of nodes, and the widths if this one
+/// has none.
 std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const ReadBackbone* before,
                                           SceneContext& context);
 
-/// Of a backbone, and of what says how wide it is.
+/// The schema of a backbone, and of what gives its width.
 std::vector<NodeSchema> backbone_words();
 
 }

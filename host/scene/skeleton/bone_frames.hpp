@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-/// Where bones lie on the canvas, in double precision: for what is worked out before a scene is stored.
+/// Where bones are on the canvas, in double precision: for what is computed before a scene is stored.
 namespace kfast::scene {
 
 struct BoneFrame {
@@ -17,7 +17,7 @@ struct BoneFrame {
     double angle = 0; ///< clockwise, in 1/65536 turn
     double length = 0;
 
-    /// From the frame, x along the bone, to the canvas.
+    /// Maps from the frame, x along the bone, to the canvas.
     Vec2 outside(Vec2 spot) const;
     Vec2 inside(Vec2 spot) const;
     Vec2 tip() const { return outside({length, 0}); }
@@ -26,26 +26,26 @@ struct BoneFrame {
 /// The direction of an angle in 1/65536 turn.
 Vec2 direction_of(double angle);
 
-/// By BoneQuantity, in its units, but not rounded.
+/// Indexed by BoneQuantity, in its units, but not rounded.
 using BoneValues = std::array<double, bone_quantity_count>;
 
 BoneValues values_as_set_up(const Bone& bone);
 BoneValues values_at(const Bone& bone, Time time);
 
-/// By how many pixels `bone`, which lies in `frame`, is longer than as set up.
+/// How many pixels longer than as set up `bone`, which is in `frame`, is.
 double play_range_of(const Bone& bone, const BoneFrame& frame);
 
-/// The frame of a bone with `values` in that of its parent, which is stretched by so many pixels. That of a
-/// root's parent is the canvas: a frame at 0.
+/// The frame of a bone with `values` in that of its parent, which is `stretch` pixels longer than as set up.
+/// That of a root's parent is the canvas: a frame at 0.
 BoneFrame frame_in(const BoneFrame& parent, const Bone& bone, const BoneValues& values, double stretch);
 
-/// Of all bones, in their order.
+/// The frames of all bones, in their order.
 std::vector<BoneFrame> frames_as_set_up(const std::vector<Bone>& bones);
 std::vector<BoneFrame> frames_at(const std::vector<Bone>& bones, Time time);
-/// Of one bone; looks only at it and those above it.
+/// The frame of one bone; uses only it and its ancestors.
 BoneFrame frame_at(const std::vector<Bone>& bones, std::size_t bone, Time time);
 
-/// What a bone makes of what it carries on its way from `set_up` to `posed`.
+/// How a bone moves what is bound to it when it goes from `set_up` to `posed`.
 class BoneMotion {
 public:
     BoneMotion(const BoneFrame& set_up, const BoneFrame& posed);
@@ -56,11 +56,11 @@ private:
     Vec2 origin_;
     Vec2 along_; ///< as set up, of length 1
     Vec2 posed_origin_;
-    Vec2 posed_along_; ///< where along_ goes
+    Vec2 posed_along_; ///< the image of along_
     Vec2 posed_across_;
 };
 
-/// Whether values of the quantity count modulo one turn.
+/// Whether values of the quantity are modulo one turn.
 constexpr bool goes_the_shortest_way(const Bone& bone, BoneQuantity quantity)
 {
     return quantity == BoneQuantity::angle && !bone.turns_as_written;

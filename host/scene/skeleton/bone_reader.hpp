@@ -27,7 +27,7 @@ struct WrittenBone {
     std::optional<bool> tip;
     const kdl::Value* parent_name = nullptr;
     std::optional<std::size_t> parent; ///< index among those that were read
-    bool is_valid = true;              ///< nothing of it was wrong but for its parent's name
+    bool is_valid = true;              ///< nothing in it was wrong except its parent's name
 };
 
 /// Reads the bones of one skeleton.
@@ -39,7 +39,7 @@ public:
     void read(const kdl::Node& node) { read(node, std::nullopt); }
     /// Finds the parents that are given by name. Reports those that are not there.
     std::vector<WrittenBone> take();
-    /// Nothing was wrong with those that were read, nor with their parents.
+    /// Whether those that were read, and their parents, are all valid.
     bool is_valid() const { return is_valid_; }
 
 private:

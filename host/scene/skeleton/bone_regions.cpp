@@ -48,8 +48,8 @@ double BoneRegions::distance_to(const Region& region, Vec2 spot)
 namespace {
 
 constexpr int alike = 16;         ///< by how many 1/256 the weights of both differ at most
-constexpr double closeness = 1;   ///< px by which bones that lie on each other are apart at most
-constexpr double slant = 1.0 / 8; ///< or this share of the shorter one
+constexpr double closeness = 1;   ///< px: the largest distance between bones that overlap
+constexpr double slant = 1.0 / 8; ///< or this fraction of the shorter one
 
 using BonePair = std::pair<std::size_t, std::size_t>;
 
@@ -65,7 +65,7 @@ bool has_keys(const Bone& bone)
     return std::ranges::any_of(bone.keys, [](const auto& keys) { return !keys.empty(); });
 }
 
-/// Finds the points of which the heaviest bones are alike.
+/// Finds the points whose heaviest bones have nearly equal weights.
 class OverlappingBones {
 public:
     explicit OverlappingBones(const std::vector<Bone>& bones)
@@ -87,7 +87,7 @@ public:
     /// By the bones between which they cannot decide.
     const std::map<BonePair, std::vector<std::size_t>>& points() const { return points_; }
 
-    /// The pair to speak of: limbs of one parent if there are such, and those of most points.
+    /// The pair to report: limbs of one parent if there are any, and those of most points.
     const auto& worst() const
     {
         return *std::ranges::max_element(points_, {}, [this](const auto& entry) {
@@ -106,13 +106,13 @@ private:
             points_[pair].push_back(point);
     }
 
-    /// Whether one of them is posed, or a bone between it and what carries both.
+    /// Whether one of them is posed, or a bone between it and their common ancestor.
     bool move_apart(BonePair pair) const
     {
         std::optional<std::size_t> one = pair.first;
         std::optional<std::size_t> other = pair.second;
         while (one != other) {
-            auto& later = one > other ? one : other; // parents stand before their children, and no bone first
+            auto& later = one > other ? one : other; // parents come before their children, and no bone first
             if (has_keys(bones_[*later]))
                 return true;
             later = bones_[*later].parent;

@@ -16,7 +16,7 @@ class BoneRegions {
 public:
     explicit BoneRegions(const Skeleton& skeleton);
 
-    /// The bones in whose regions `spot` lies. A weight is 1 on the bone and falls smoothly to 0 at the
+    /// The bones in whose regions `spot` is. A weight is 1 on the bone and falls smoothly to 0 at the
     /// border.
     std::vector<WeightedBone> around(Vec2 spot) const;
     std::size_t nearest(Vec2 spot) const;
@@ -32,9 +32,9 @@ private:
     std::vector<Region> regions_;
 };
 
-/// Warns of an object at `place` whose points have found their bones by the regions of these, if some follow
-/// two bones alike that lie on each other as set up and then move apart: neither carries them. `bindings` are
-/// those of its points as `weights` counts them.
+/// Warns of an object at `place` whose points were bound by the regions of these bones, if some follow two
+/// bones alike that overlap as set up and then move apart: they follow neither. `bindings` are those of its
+/// points as `weights` counts them.
 void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector<Binding>& bindings,
                                SourceSpan place, SceneContext& context);
 

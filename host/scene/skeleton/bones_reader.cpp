@@ -30,7 +30,7 @@ namespace {
 
 using Written = std::vector<WrittenBone>;
 
-/// Roots first, then their children, then theirs; without those that hang on themselves.
+/// Roots first, then their children, then theirs; without those that are their own ancestors.
 std::vector<std::size_t> level_order(const Written& bones)
 {
     std::vector<std::size_t> order;
@@ -45,7 +45,7 @@ std::vector<std::size_t> level_order(const Written& bones)
     return order;
 }
 
-/// From `bone` up until it comes again; nothing if it does not.
+/// From `bone` up until it recurs; nothing if it does not.
 std::vector<std::size_t> cycle_of(const Written& bones, std::size_t bone)
 {
     std::vector<std::size_t> cycle;
@@ -57,7 +57,7 @@ std::vector<std::size_t> cycle_of(const Written& bones, std::size_t bone)
     return {};
 }
 
-/// Once for each cycle, at the first of its bones.
+/// Reported once for each cycle, at the first of its bones.
 void report_cycles(const Written& bones, const std::vector<std::size_t>& order, SceneContext& context)
 {
     for (std::size_t i = 0; i < bones.size(); ++i) {
@@ -113,9 +113,9 @@ bool check(const Bone& bone, SceneContext& context)
            context.report.error(bone.place, too_far_from_parent(), "put a bone between them");
 }
 
-/// Puts bones into level order, each into the frame of its parent. Bones that hang on themselves, and with
-/// them all that hang on these, are reported and left out, as is what the format cannot hold; then
-/// `skeleton` is no longer good.
+/// Puts bones into level order, each into the frame of its parent. Bones that are their own ancestors, and
+/// all their descendants, are reported and left out, as is what the format cannot hold; then `skeleton` is no
+/// longer valid.
 void set_up_bones(const Written& written, Skeleton& skeleton, SceneContext& context)
 {
     const std::vector<std::size_t> order = level_order(written);
@@ -225,7 +225,7 @@ void add_skeleton(const kdl::Node& node, SceneContext& context)
     read_bones(node, skeleton, context);
     for (Bone& bone : skeleton.bones.bones)
         bone.turns_as_written = properties.turns_as_written;
-    // Where bones are missing, whatever names them would be wrong as well.
+    // Where bones are missing, all references to them would be errors as well.
     if (skeleton.is_valid)
         read_movement(node, skeleton.bones.bones, context);
     const auto name = read_name(node.arguments.front(), context.report);

@@ -13,7 +13,7 @@ inline constexpr std::string_view bones_name = "bones";
 /// Adds the skeleton that `node` describes to those of `context`; reports what is wrong.
 void add_skeleton(const kdl::Node& node, SceneContext& context);
 
-/// After all objects have been read.
+/// Called after all objects have been read.
 void warn_of_unused_skeletons(SceneContext& context);
 
 NodeSchema bones_words();

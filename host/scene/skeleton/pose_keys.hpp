@@ -9,19 +9,19 @@
 
 namespace kfast::scene {
 
-/// A turn that a pose gives itself.
+/// A rotation that a pose sets explicitly.
 struct GivenTurn {
     std::size_t bone = 0;
     Time time;
     SourceSpan place;
 };
 
-/// Each bone of each pose gets a key of all of its quantities. Returns the turns that are written for times;
-/// of the other keys, the angle is that as set up. Reports what the format cannot hold.
+/// Each bone of each pose gets a key of all of its quantities. Returns the rotations that are written for
+/// times; the other keys have the angle as set up. Reports what the format cannot hold.
 std::vector<GivenTurn> add_pose_keys(const std::vector<Pose>& poses, std::vector<Bone>& bones,
                                      SceneContext& context);
 
-/// After the last key: removes the keys of quantities that stay as set up, and laws without a way.
+/// After the last key: removes the keys of quantities that stay as set up, and laws that govern nothing.
 void tidy_keys(std::vector<Bone>& bones);
 
 }

@@ -21,7 +21,7 @@ constexpr NodeForm definition_form{pose_name, "pose NAME { BONE turn=DEGREES }",
 /// All bones as they are set up.
 constexpr std::string_view rest_name = "rest";
 
-/// Fifteen turns: with the angle as set up, this stays within what the format holds.
+/// Fifteen turns: plus the angle as set up, this stays within what the format holds.
 constexpr Range turns{-5400, 5400};
 constexpr Range lengths{0, longest_bone / 16};
 
@@ -185,7 +185,7 @@ void PoseReader::take_scene_times()
     std::vector<Pose> timed;
     std::ranges::copy_if(poses_, std::back_inserter(timed),
                          [](const Pose& pose) { return pose.driver.is_time(); });
-    // The way to a pose is seen in part if it begins before the end.
+    // The transition to a pose is visible in part if it begins before the end.
     take_times(timed, 1, pose_name, context_);
 }
 
@@ -242,7 +242,7 @@ void PoseReader::set(Pose& pose, std::vector<PosedBone> bones)
             "let poses set only the bones that they move");
 }
 
-/// Those that have no way to govern: no later pose sets one of the bones.
+/// Those that govern nothing: no later pose sets one of the bones.
 void PoseReader::warn_of_idle_laws()
 {
     std::vector<bool> later(bones_.size());

@@ -19,7 +19,7 @@ namespace kfast::scene {
 
 inline constexpr std::string_view pose_name = "pose";
 
-/// How a pose puts one bone; what is not given is as set up.
+/// How a pose sets one bone; what is not given is as set up.
 struct PosedBone {
     std::size_t bone = 0;
     std::optional<double> turn; ///< from the direction as set up, in degrees, clockwise
@@ -47,7 +47,7 @@ public:
 
     /// `node` must live as long as the poses.
     void read(const kdl::Node& node);
-    /// After the last pose: those that have a time, with what their names stand for.
+    /// After the last pose: returns those that have a time, with what their names mean.
     std::vector<Pose> take();
 
 private:
@@ -84,7 +84,7 @@ private:
     std::vector<Pose> poses_;
 };
 
-/// Of poses with a time and without, and of the bones in them.
+/// The schema of poses with a time and without, and of the bones in them.
 std::vector<NodeSchema> pose_words();
 
 }

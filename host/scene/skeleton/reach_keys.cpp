@@ -14,19 +14,19 @@
 namespace kfast::scene {
 namespace {
 
-/// Pixels. Leaves what is missing to 1/16 to the player, whose angles are rounded.
+/// In pixels. The rest up to 1/16 is left to the player, whose angles are rounded.
 constexpr double tolerance = 3.0 / 64;
 constexpr double promised = 1.0 / 16;
 constexpr std::int32_t max_samples = 32; ///< between two keys
 
-/// Of both bones, in the frame of its parent each; counted modulo one turn.
+/// The angles of both bones, each in the frame of its parent; modulo one turn.
 struct ArmKey {
     Time time;
     std::int32_t upper;
     std::int32_t lower;
 };
 
-/// At a share of the shortest way.
+/// Interpolates by the shorter way round.
 double between(std::int32_t from, std::int32_t to, double share)
 {
     return from + share * shortest_turn(BinaryAngle::from_raw(from), BinaryAngle::from_raw(to));
@@ -39,7 +39,7 @@ double lost_by_rounding(const Arm& arm)
     return reach * std::numbers::pi / BinaryAngle::turn;
 }
 
-/// Follows a reach through time, with each step as long as straight ways of the angles allow.
+/// Follows a reach through time, with each step as long as linear interpolation of the angles allows.
 class ReachTracer {
 public:
     ReachTracer(const std::vector<Bone>& bones, const Reach& reach) : bones_{bones}, reach_{reach}
@@ -47,7 +47,7 @@ public:
         find_stops();
     }
 
-    /// More than max_keys if it takes too many.
+    /// Returns more than max_keys if it takes too many.
     std::vector<ArmKey> keys()
     {
         std::vector<ArmKey> keys{key_at(reach_.begin())};
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// The ways of all that moves the arm have their corners at these times.
+    /// The motions of all that moves the arm have their corners at these times.
     void find_stops()
     {
         for (const ReachTarget& target : reach_.targets)
@@ -88,7 +88,7 @@ private:
                 static_cast<std::int32_t>(std::lround(angles.lower))};
     }
 
-    /// As late as can be; rather on a whole frame, which takes fewer bytes.
+    /// As late as possible; preferably on a whole frame, which takes fewer bytes.
     Time next_time(const ArmKey& from, Time stop)
     {
         const std::int32_t ticks = longest_step(from, (stop - from.time).ticks);
@@ -98,7 +98,7 @@ private:
         return next != stop && frame > from.time ? frame : next;
     }
 
-    /// Doubles the step before, then halves the rest. There is no moment within a step of one tick.
+    /// Doubles the step before, then halves the rest. There is no time within a step of one tick.
     std::int32_t longest_step(const ArmKey& from, std::int32_t max) const
     {
         std::int32_t good = 1;
@@ -166,7 +166,7 @@ void take_if_worse(Miss& worst, const Reach& reach, const std::vector<Bone>& bon
         worst = {missing, time, place};
 }
 
-/// Of all targets, and of the frames between them; of very many frames it looks only at some.
+/// The worst of all targets, and of the frames between them; of very many frames it samples only some.
 Miss worst_miss(const Reach& reach, const std::vector<Bone>& bones)
 {
     constexpr std::int32_t max_frames = 10'000;
@@ -220,7 +220,7 @@ bool refuse_other_turns(const Reach& reach, const std::vector<GivenTurn>& turns,
     return good;
 }
 
-/// Neither the bones of the reach nor one that they hang on may move without it at one and the same time.
+/// No input may drive the bones of the reach or their ancestors: the reach itself goes by the time.
 bool refuse_inputs(const Reach& reach, const std::vector<Bone>& bones, SceneContext& context)
 {
     for (std::optional<std::size_t> bone = reach.bone; bone; bone = bones[*bone].parent)
@@ -246,8 +246,8 @@ bool refuse_overlaps(const std::vector<Reach>& reaches, const std::vector<Bone>&
     return good;
 }
 
-/// Puts the angles of one bone among its keys. If the bone turns as written, each is the one nearest to the
-/// one before.
+/// Puts the angles of one bone among its keys. If the bone turns as written, each is the equivalent nearest
+/// to the one before.
 bool insert_angles(const Reach& reach, const std::vector<ArmKey>& angles, std::int32_t ArmKey::*own,
                    Bone& bone, SceneContext& context)
 {

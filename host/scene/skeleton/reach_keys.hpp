@@ -9,9 +9,9 @@
 
 namespace kfast::scene {
 
-/// Turns the bones of each reach: angle keys, as dense as keeps the tip within 1/16 px of its target, take
-/// the place of those of poses between the reach's begin and its end. `turns` are what poses may not say
-/// there. Reports it, and warns of targets that are out of reach.
+/// Rotates the bones of each reach: angle keys, as dense as keeps the tip within 1/16 px of its target,
+/// replace those of poses between the reach's begin and its end. `turns` are what poses may not set there.
+/// Reports it, and warns of targets that are out of reach.
 void add_reach_keys(std::vector<Reach> reaches, const std::vector<GivenTurn>& turns, std::vector<Bone>& bones,
                     SceneContext& context);
 

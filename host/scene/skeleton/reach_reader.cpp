@@ -27,7 +27,7 @@ constexpr NodeForm at_form{at_name, "at TIME X Y law=LAW", 3, 3};
 
 constexpr std::array bends{Word<Bend>{"left", Bend::left}, Word<Bend>{"right", Bend::right}};
 
-/// A joint that is nearer to the line than this does not say to which side it bends.
+/// For a joint that is nearer to the line than this, the side to which it bends is unknown.
 constexpr double straight = 1.0 / 16;
 
 struct ReachProperties {
@@ -74,7 +74,7 @@ bool check_chain(const Bone& bone, const std::vector<Bone>& bones, SourceSpan pl
                                 "let it begin exactly where " + parent + " ends");
 }
 
-/// As set up.
+/// The side to which it bends as set up.
 std::optional<Bend> bend_of(const std::vector<Bone>& bones, std::size_t bone)
 {
     const std::vector<BoneFrame> frames = frames_as_set_up(bones);
@@ -111,7 +111,7 @@ std::optional<WrittenTarget> read_target(const kdl::Node& node, SceneContext& co
 
 PlacedMoment moment_of(const WrittenTarget& at) { return {at.target.time, at.target.place}; }
 
-/// In any order, as those of tracks.
+/// The targets are in any order, like the keys of tracks.
 std::optional<std::vector<ReachTarget>> read_targets(const kdl::Node& node, SceneContext& context)
 {
     std::vector<WrittenTarget> written;
@@ -187,7 +187,7 @@ constexpr double units_per_radian = BinaryAngle::turn / (2 * std::numbers::pi);
 double angle_of(Vec2 direction) { return std::atan2(direction.y, direction.x) * units_per_radian; }
 
 /// The angle at the origin of a triangle, of which `opposite` is the side that does not touch it. Sides that
-/// do not meet are laid along each other.
+/// do not meet are taken as parallel.
 double corner(double side, double other, double opposite)
 {
     const double product = 2 * side * other;

@@ -19,14 +19,14 @@ namespace kfast::scene {
 
 namespace {
 
-/// The points of a drawing that follow bones each in its own way. The closing point of a closed stroke
-/// follows its first and does not count.
+/// The points of a drawing that have bindings of their own. The closing point of a closed stroke follows its
+/// first and does not count.
 class SkinPoints {
 public:
     explicit SkinPoints(const Drawing& drawing);
 
     const std::vector<Vec2>& spots() const { return spots_; }
-    /// For each point as the format counts them; `bindings` are those of spots().
+    /// The bindings of each point as the format counts them; `bindings` are those of spots().
     std::vector<Binding> bindings_of_all(const std::vector<Binding>& bindings) const;
 
 private:

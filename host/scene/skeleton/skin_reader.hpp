@@ -9,7 +9,7 @@
 
 namespace kfast::scene {
 
-/// What an object says of the bones that carry it.
+/// What an object says about the bones that deform it.
 struct WrittenSkin {
     const kdl::Value* skeleton = nullptr; ///< of its property "skin"
     const kdl::Value* bone = nullptr;     ///< of its property "bone"

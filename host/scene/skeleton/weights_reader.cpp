@@ -82,7 +82,7 @@ std::vector<Binding> weights_of_regions(const Skeleton& skeleton, const std::vec
     return bindings;
 }
 
-/// Weights that are given.
+/// Weights that are given explicitly.
 class GivenWeights {
 public:
     GivenWeights(const kdl::Node& node, const std::vector<Bone>& bones, const std::vector<Vec2>& spots,

@@ -18,13 +18,13 @@ inline constexpr std::string_view points_name = "points";
 
 inline constexpr std::string_view weights_name = "weights";
 
-/// What bones the points at `spots` follow, by the node `weights`; automatically if it is null. `place` is
-/// that of the object. Nothing if that cannot be said; what is wrong is reported.
+/// Which bones the points at `spots` follow, by the node `weights`; automatic if it is null. `place` is that
+/// of the object. Nothing if that cannot be determined; what is wrong is reported.
 std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
                                                  const std::vector<Vec2>& spots, SourceSpan place,
                                                  SceneContext& context);
 
-/// Of weights, of those of single points, and of the bones in both.
+/// The schema of weights, of those of single points, and of the bones in both.
 std::vector<NodeSchema> weights_words();
 
 }

@@ -22,7 +22,7 @@ using art::Channel;
 using art::Group;
 using art::Node;
 
-/// Of groups in each other.
+/// The depth of nested groups.
 int depth_of(const std::vector<Node>& nodes)
 {
     int depth = 0;
@@ -38,7 +38,7 @@ bool is_plain(const Node& node)
            node.opacity == Channel{1} && node.shown == std::vector{art::Span{}};
 }
 
-/// Puts the nodes of groups where the groups are.
+/// Replaces groups by their nodes.
 template <typename Dissolves>
 void dissolve(std::vector<Node>& nodes, Dissolves dissolves)
 {
@@ -55,7 +55,7 @@ class Depth {
 public:
     explicit Depth(const Arranging& arranging) : arranging_{arranging} {}
 
-    /// `room` is how many groups may lie in each other here.
+    /// `room` is how deeply groups may be nested here.
     void limit(std::vector<Node>& nodes, int room)
     {
         if (depth_of(nodes) <= room)
@@ -80,7 +80,7 @@ private:
         return group != nullptr && 1 + depth_of(group->nodes) > room;
     }
 
-    /// Leaves nothing to do for the group itself.
+    /// Moves what the group does into its nodes.
     void flatten(Node& node)
     {
         if (!is_identity(node.transform))
@@ -104,7 +104,7 @@ private:
     const Arranging& arranging_;
 };
 
-/// Lets groups lie no deeper in each other than scenes hold: those beyond are dissolved, and what they do is
+/// Limits the nesting of groups to what scenes hold: those beyond are dissolved, and what they do is
 /// baked.
 void limit_depth(std::vector<Node>& nodes, const Arranging& arranging)
 {
@@ -114,7 +114,7 @@ void limit_depth(std::vector<Node>& nodes, const Arranging& arranging)
 using art::Affine;
 
 constexpr double min = 0.05;
-/// Of the times that are looked at, for each shape.
+/// The maximum number of sampled times for each shape.
 constexpr std::size_t max_times = 64;
 
 void add_times(const art::Transform& transform, std::vector<double>& times)
@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    /// Of the innermost node.
+    /// Checks the line of the innermost node.
     void look_at_line()
     {
         std::vector<double> times;
@@ -180,8 +180,8 @@ private:
     std::vector<const Node*> around_ = {}; ///< from the outermost
 };
 
-/// Lines of scenes are as wide in every direction: reports those whose pen becomes wider one way than the
-/// other, by more than a twentieth, because what is around them grows unevenly or leans.
+/// Lines of scenes are equally wide in all directions: reports those whose pen becomes wider one way than the
+/// other, by more than a twentieth, because what is around them is scaled unevenly or skewed.
 void report_bent_pens(const std::vector<Node>& nodes, art::Losses& losses) { Pens{losses}.look_at(nodes); }
 
 }

@@ -10,7 +10,7 @@
 
 namespace kfast::scene_text {
 
-/// Throws Failure if a number of the document is infinite or none.
+/// Throws Failure if a number of the document is infinite or NaN.
 void check_finite(const art::Document& document);
 
 struct Arranging {
@@ -20,7 +20,7 @@ struct Arranging {
     art::Budget& budget; ///< of what is computed
 };
 
-/// Brings nodes into a form of which each is one item of a scene.
+/// Brings nodes into a form in which each is one item of a scene.
 Reach arrange(std::vector<art::Node>& nodes, const Arranging& arranging);
 
 }

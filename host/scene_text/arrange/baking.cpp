@@ -29,7 +29,7 @@ using art::Shape;
 struct Action {
     std::function<Affine(double)> at;
     std::vector<double> critical;
-    std::size_t depth = 0; ///< of transforms in each other
+    std::size_t depth = 0; ///< of nested transforms
 };
 
 template <typename Value>
@@ -155,7 +155,7 @@ namespace {
 using art::Group;
 using art::Transform;
 
-/// The singular values and vectors of an affine map: it turns, grows along the axes, and turns again.
+/// The singular value decomposition of an affine map: it rotates, scales along the axes, and rotates again.
 struct Rotations {
     double first = 0; ///< degrees
     double scale_x = 1;
@@ -180,7 +180,7 @@ bool has_constant_skew(const Transform& transform)
            transform.skew_axis.is_still();
 }
 
-/// Around the content, a group that turns it and then what it did, but leaning.
+/// Puts the content into a node that rotates it, inside of what the node did before, without the skew.
 void make_two(Node& node)
 {
     Transform& transform = node.transform;
@@ -205,7 +205,7 @@ void make_two(Node& node)
     node.content = Group{std::move(nodes)};
 }
 
-/// What leans is baked alone; what it does besides, outside of that, it goes on doing.
+/// Bakes skew, scale and anchor alone; what the node does outside of that stays a transform.
 void bake_shape(Node& node, const Arranging& arranging)
 {
     Transform outside = node.transform;

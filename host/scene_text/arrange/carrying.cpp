@@ -57,7 +57,7 @@ bool can_take(const Affine& affine, const Transform& transform)
     return is_upright(*placement) && never_turns(transform) && !transform.path;
 }
 
-/// Both of a place at once, which go alike or of which one stands still.
+/// Moves both coordinates at once, which have the same timing, or of which one is constant.
 void move_place(const Affine& affine, Transform& transform)
 {
     const Channel x = transform.x;

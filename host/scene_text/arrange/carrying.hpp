@@ -5,13 +5,13 @@
 
 namespace kfast::scene_text {
 
-/// Whether a node can look as if `affine` acted on it, by other numbers alone.
+/// Whether a node can look as if `affine` acted on it, by changing numbers alone.
 bool can_take(const art::Affine& affine, const art::Node& node);
 
-/// Makes it look so.
+/// Makes it look that way.
 void take(const art::Affine& affine, art::Node& node);
 
-/// Likewise of what is inside of the node: points, or nodes.
+/// The same for what is inside of the node: points, or nodes.
 bool content_can_take(const art::Affine& affine, const art::Node& node);
 void content_takes(const art::Affine& affine, art::Node& node);
 

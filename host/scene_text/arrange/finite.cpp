@@ -7,7 +7,7 @@
 namespace kfast::scene_text {
 namespace {
 
-/// Looks at every number; those of a node tell its name.
+/// Checks every number; messages about those of a node give its name.
 class Finite {
 public:
     void check(const art::Document& document)

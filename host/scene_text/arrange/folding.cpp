@@ -23,8 +23,8 @@ bool is_plain(const Node& node)
     return is_identity(node.transform) && node.opacity == Channel{1} && node.shown == std::vector{Span{}};
 }
 
-/// Growing and leaning come first, so what of them stands still can be done to the content instead; and then
-/// turning, if they both do.
+/// Scale and skew come first, so if they are constant they can be applied to the content instead; and then
+/// rotation, if it is constant, too.
 Affine still_shape(const Transform& transform)
 {
     if (!transform.scale_x.is_still() || !transform.scale_y.is_still() || !transform.skew.is_still() ||
@@ -61,7 +61,7 @@ bool only_moves(const Transform& transform)
     return is_identity(rest) && !(transform.path && transform.path->turns);
 }
 
-/// So that what stands still is drawn where it is seen, and what turns turns about where it is seen.
+/// So that what is still is drawn where it is seen, and what rotates has its anchor where it is seen.
 void fold_place(Node& node)
 {
     Transform& transform = node.transform;
@@ -86,7 +86,7 @@ void fold_place(Node& node)
     }
 }
 
-/// A pivot of what does not turn or grow does nothing.
+/// A pivot of what does not rotate or scale does nothing.
 void tidy(Transform& transform)
 {
     if (!only_moves(transform) || transform.path)
@@ -123,14 +123,14 @@ void join_transforms(const Transform& outer, Transform& inner)
     }
 }
 
-/// The group and the only node in it.
+/// Merges the group and the only node in it.
 void become_one(Node& group)
 {
     Node inner = std::move(std::get<Group>(group.content).nodes.front());
     join_transforms(group.transform, inner.transform);
     inner.opacity = product(group.opacity, inner.opacity);
     inner.shown = common(group.shown, inner.shown);
-    // A parent has a name of its own; what hangs on it is what is seen.
+    // A parent has a name of its own; its child is what is visible.
     if (inner.name.empty() || (!group.name.empty() && group.parent_tag == 0))
         inner.name = std::move(group.name);
     group = std::move(inner);

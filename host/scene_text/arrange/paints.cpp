@@ -36,7 +36,7 @@ bool needs_two(const Shape& shape, std::int32_t length)
             !have_laws_in_common(shape, length));
 }
 
-/// Has the content alone.
+/// A node that has the content alone.
 Node part_of(Shape shape, const std::string& name)
 {
     return {.name = name,
@@ -60,7 +60,7 @@ void make_two(Node& node)
     node.content = Group{std::move(parts)};
 }
 
-/// Of the only paint.
+/// The opacity of the only paint.
 Channel& opacity_of(Shape& shape) { return shape.fill ? shape.fill->opacity : shape.stroke->opacity; }
 
 void move_opacity(Node& node)

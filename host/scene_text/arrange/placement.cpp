@@ -60,10 +60,10 @@ std::optional<Placement> placement_of(const Affine& affine)
     if (std::abs(affine.a * affine.c + affine.b * affine.d) > tiny * std::max(across * down, tiny))
         return std::nullopt;
     Placement placement{affine.e, affine.f, 0, across, std::copysign(down, affine.determinant())};
-    // What has no width turns with its height.
+    // If there is no width, the rotation is that of the height.
     const double angle = across > 0 ? std::atan2(affine.b, affine.a) : std::atan2(-affine.c, affine.d);
     placement.rotate = near(angle, 0) ? 0 : angle * 180 / std::numbers::pi;
-    if (near(std::abs(placement.rotate), 180)) { // mirrored rather than turned
+    if (near(std::abs(placement.rotate), 180)) { // mirrored rather than rotated
         placement.rotate = 0;
         placement.scale_x = -placement.scale_x;
         placement.scale_y = -placement.scale_y;
@@ -86,7 +86,7 @@ double scale_factor_of(const Affine& affine) { return std::sqrt(std::abs(affine.
 
 double distortion_of(const Affine& affine)
 {
-    // Of the singular values, the sum and the difference.
+    // The sum and the difference of the singular values.
     const double sum = std::hypot(affine.a + affine.d, affine.b - affine.c);
     const double difference = std::hypot(affine.a - affine.d, affine.b + affine.c);
     const double shorter = std::abs(sum - difference) / 2;

@@ -19,7 +19,7 @@ using art::Node;
 using art::Shape;
 using art::Transform;
 
-/// From here on, what 1/16 px is rounded to shows.
+/// From this scale on, the rounding to 1/16 px is visible.
 constexpr double coarse_scale = 2;
 
 double largest(const Channel& channel)
@@ -55,7 +55,7 @@ double reach_of(const Node& node)
     return reach;
 }
 
-/// From each other at any two times: places are written as ways from where the anchor is.
+/// The largest distance at any two times: positions are written as offsets from where the anchor is.
 double farthest(const Channel& channel, const Channel& other)
 {
     const auto range = [](const Channel& of) {
@@ -79,7 +79,7 @@ double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / w
 
 class Ranges {
 public:
-    /// Without `losses` there may be new groups.
+    /// Without `losses`, new groups may be added.
     explicit Ranges(art::Losses* losses) : losses_{losses} {}
 
     /// Returns the greatest coordinate.
@@ -109,7 +109,7 @@ private:
             go_further(node, shrink_for(distance));
     }
 
-    /// The content grows by `factor`, and the node so much less.
+    /// Scales the content up by `factor`, and the node down by it.
     static void draw_larger(Node& node, double factor)
     {
         const art::Affine scaling = art::grown(factor, factor);
@@ -123,7 +123,7 @@ private:
         transform.scale_y = scaled(transform.scale_y, 1 / factor);
     }
 
-    /// Whole turns that all angles have are none.
+    /// Drops whole turns that all angles have in common.
     static void unwind(Channel& rotate)
     {
         const auto [low, high] = std::ranges::minmax(rotate.keys, {}, &art::Key<double>::value);
@@ -131,7 +131,7 @@ private:
             rotate = shifted(rotate, -360 * std::round((low.value + high.value) / 720));
     }
 
-    /// In a group that is `factor` times as large.
+    /// Puts the node into a group that is scaled by `factor`.
     static void go_further(Node& node, double factor)
     {
         if (!lies_flat(node.transform))

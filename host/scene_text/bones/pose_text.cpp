@@ -19,7 +19,7 @@ namespace {
 using art::Bone;
 using art::Channel;
 
-/// Pieces of a way that no law can say, for each frame.
+/// Pieces per frame of a transition that no law represents.
 constexpr double pieces_per_frame = 2;
 constexpr double max_pieces = 64;
 
@@ -37,7 +37,7 @@ std::vector<double> times_of(const Quantities& quantities)
     return times;
 }
 
-/// One law says it; nothing if there is none that does.
+/// The single law of the transition; nothing if there is none.
 std::optional<std::string> law_between(const Channel& channel, double from, double to, bool& is_one)
 {
     const auto next = std::ranges::upper_bound(channel.keys, from, {}, &art::Key<double>::time);
@@ -50,7 +50,7 @@ std::optional<std::string> law_between(const Channel& channel, double from, doub
     return law_of(parts.front().ease);
 }
 
-/// The law of both on a way, if one does.
+/// The common law of both in a transition, if there is one.
 std::optional<std::string> common_law(const std::optional<std::string>& one,
                                       const std::optional<std::string>& other, bool& is_one)
 {
@@ -129,10 +129,10 @@ std::vector<BoneKey> bone_keys(const Bone& bone)
 
 namespace {
 
-/// What the shortest way is sure of, in degrees.
+/// The largest angle for which the shorter way round is certain, in degrees.
 constexpr double widest_turn = 179;
 
-/// Bones that leave a moment by the same laws.
+/// Bones that leave a time by the same laws.
 struct Pose {
     std::optional<std::string> law;
     std::optional<std::string> place_law;

@@ -12,11 +12,11 @@ namespace kfast::scene_text {
 /// Gives skeletons and their bones names.
 std::vector<RigNames> rig_names(const std::vector<art::Rig>& rigs);
 
-/// A node `bones` for each of the skeletons that carry something of the document's nodes. Takes their
-/// coordinates into `reach`; what is beyond the numbers of scenes is held there, which is a loss.
+/// A node `bones` for each of the skeletons that deform something in the document's nodes. Adds their
+/// coordinates to `reach`; what is out of the range of scenes is clamped, which is a loss.
 std::vector<kdl::Node> rig_nodes(const art::Document& document, const Writing& writing, Reach& reach);
 
-/// Adds what carries an object.
+/// Adds what deforms an object.
 void add_skin(kdl::Node& object, const art::Skin& skin, const RigNames& names);
 
 }

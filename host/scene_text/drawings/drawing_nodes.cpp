@@ -22,7 +22,7 @@ namespace {
 
 using art::ShapeForm;
 
-/// Of the numbers of shapes: more than these never are needed.
+/// For the numbers of shapes: more are never needed.
 constexpr int max_decimals = 5;
 
 /// A number that has few decimals already.
@@ -96,7 +96,7 @@ bool is_long(const art::ShapeForm& form)
     return line != nullptr && line->spots.size() > max_spots;
 }
 
-/// Lists of many places are easier to read in the lines of a path.
+/// Lists of many points are easier to read in the lines of a path.
 ShapeForm form_of(const scene::Outline& outline)
 {
     ShapeForm form = art::shape_form(outline);
@@ -122,7 +122,7 @@ ShapeForm polygon_of(const scene::Outline& outline)
     return polygon;
 }
 
-/// Where drawings have other kinds at one place, all have polygons there, or else paths.
+/// Where drawings have different kinds at one position, all have polygons there, or else paths.
 void agree(std::vector<Forms>& forms, std::span<const art::Drawing* const> drawings)
 {
     std::size_t places = 0;
@@ -172,10 +172,10 @@ std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* cons
 
 namespace {
 
-/// What is shorter is written again.
+/// Shorter ones are repeated.
 constexpr std::size_t shortest = 60;
 
-/// A drawing that stands in keys.
+/// A drawing that is in keys.
 struct Shared {
     std::string user; ///< the first object that has it
     std::vector<kdl::Node*> keys;
@@ -229,7 +229,7 @@ private:
     }
 
     std::map<std::string, Shared> drawings_ = {};
-    std::vector<const std::string*> order_ = {}; ///< as they stand in the text
+    std::vector<const std::string*> order_ = {}; ///< in the order of the text
 };
 
 }

@@ -8,12 +8,12 @@
 
 namespace kfast::scene_text {
 
-/// The shapes that draw each of the drawings of an object, whose points are where they are stored: circles,
-/// rectangles and so on where they are, an outline being of one kind in all drawings, and else paths. `empty`
-/// for a drawing that is.
+/// The shapes that draw each of the drawings of an object, whose points are rounded as they are stored:
+/// circles, rectangles and so on where possible, an outline being of one kind in all drawings, and else
+/// paths. `empty` for an empty drawing.
 std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* const> drawings);
 
-/// Makes symbols of drawings that stand in several keys of objects, unless they are short, and lets the keys
+/// Makes symbols of drawings that are in several keys of objects, unless they are short, and lets the keys
 /// use them. Returns the symbols.
 std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& items);
 

@@ -24,7 +24,7 @@ bool has_extent(Vec2 from, const Curve& curve)
     return !equal(curve.to, from) || (curve.cubic && (!equal(curve.c1, from) || !equal(curve.c2, from)));
 }
 
-/// Where a curve goes from `from` at first, if it has an extent.
+/// The point that a curve first heads for from `from`, if it has an extent.
 Vec2 heading(Vec2 from, const Curve& curve)
 {
     if (curve.cubic && !equal(curve.c1, from))
@@ -32,7 +32,7 @@ Vec2 heading(Vec2 from, const Curve& curve)
     return curve.cubic && !equal(curve.c2, from) ? curve.c2 : curve.to;
 }
 
-/// Where it comes from at last.
+/// The point that it comes from at its end.
 Vec2 origin(Vec2 from, const Curve& curve)
 {
     if (curve.cubic && !equal(curve.c2, curve.to))
@@ -40,7 +40,7 @@ Vec2 origin(Vec2 from, const Curve& curve)
     return curve.cubic && !equal(curve.c1, curve.to) ? curve.c1 : from;
 }
 
-/// So many steps towards `goal`, different for different counts.
+/// Moved that many steps towards `goal`; different for different counts.
 Vec2 stepped(Vec2 from, Vec2 goal, std::size_t steps)
 {
     const Vec2 way = goal - from;
@@ -49,7 +49,7 @@ Vec2 stepped(Vec2 from, Vec2 goal, std::size_t steps)
     return {snapped(from.x + share * way.x, coordinates), snapped(from.y + share * way.y, coordinates)};
 }
 
-/// Of one outline: moves the ends of segments without extent.
+/// Moves the ends of segments without extent in one outline.
 class Segments {
 public:
     explicit Segments(Outline& outline) : outline_{outline}, curves_{outline.curves} {}
@@ -64,7 +64,7 @@ public:
 private:
     Vec2 start_of(std::size_t i) const { return i == 0 ? outline_.from : curves_[i - 1].to; }
 
-    /// From the first without extent; returns the last.
+    /// Moves a run from its first segment without extent on; returns the last.
     std::size_t keep_run(std::size_t first)
     {
         const Vec2 place = start_of(first);
@@ -92,7 +92,7 @@ private:
             curves_[last].to = stepped(place, place - (goal - place), 1);
     }
 
-    /// The end stays, for the outline may be closed there.
+    /// The last point stays, for the outline may be closed there.
     void spread_back(std::size_t first, std::size_t count, Vec2 goal)
     {
         const Vec2 place = curves_.back().to;
@@ -102,7 +102,7 @@ private:
             curves_[first - 1].to = stepped(place, place - (goal - place), count);
     }
 
-    /// The whole outline lies in one place.
+    /// For an outline all of whose points coincide.
     void spread_alone(Vec2 place)
     {
         const Vec2 beside{snapped(place.x + (place.x < 0 ? step : -step), coordinates), place.y};

@@ -10,7 +10,7 @@
 
 namespace kfast::scene_text {
 
-/// With all of its points where they are stored, held within the range of coordinates.
+/// The drawing with all of its points rounded as they are stored, clamped to the range of coordinates.
 art::Drawing on_grid(const art::Drawing& drawing);
 
 /// The data of a path, in lines if it is long.
@@ -18,10 +18,10 @@ std::string path_data(const scene::Outline& outline);
 
 using DrawingKeys = std::vector<StoredKey<art::Drawing>>;
 
-/// The drawings of a shape with all of their points where they are stored.
+/// The drawings of a shape with all of their points rounded as they are stored.
 DrawingKeys drawing_keys(const art::Shape& shape, std::int32_t length);
 
-/// The pivot that an object has if it does not say one: the middle of the first drawing that is not empty.
+/// The pivot that an object has by default: the middle of the first drawing that is not empty.
 scene::Point default_pivot(const DrawingKeys& keys);
 
 }

@@ -27,13 +27,13 @@ using art::Shape;
 constexpr std::array<std::string_view, 3> cap_words{"butt", "round", "square"};
 constexpr std::array<std::string_view, 3> join_words{"miter", "round", "bevel"};
 
-/// All that an object says at one time.
+/// All that an object sets at one time.
 struct Moment {
     std::vector<kdl::Node> shapes; ///< none: there is no drawing
     std::optional<std::string> fill;
     std::optional<std::string> stroke;
     std::optional<bool> visible;
-    std::optional<std::string> drawing_law; ///< of the ways that begin here
+    std::optional<std::string> drawing_law; ///< of the transitions that begin here
     std::optional<std::string> paint_law;
     bool matches_length = false;
 };
@@ -179,7 +179,7 @@ private:
                      on_grid(1, widths));
     }
 
-    /// Only keys make a width 0.
+    /// A width of 0 is allowed only in keys.
     static NumberKeys held(NumberKeys keys)
     {
         keys.front().value = std::max(keys.front().value, 1);

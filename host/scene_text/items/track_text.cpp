@@ -13,7 +13,7 @@ namespace {
 using art::Channel;
 using art::Transform;
 
-/// Of what coordinates are rounded to.
+/// Half of the unit that coordinates are rounded to.
 constexpr double half_step = 1.0 / 32;
 
 bool same_key(const StoredKey<std::int32_t>& one, const StoredKey<std::int32_t>& other)
@@ -21,7 +21,7 @@ bool same_key(const StoredKey<std::int32_t>& one, const StoredKey<std::int32_t>&
     return one.ticks == other.ticks && one.value == other.value && one.law == other.law;
 }
 
-/// Of the ways; the last key begins none.
+/// The most common law of the transitions; the last key begins none.
 std::string commonest_law(const NumberKeys& keys)
 {
     std::map<std::string, std::size_t> counts;

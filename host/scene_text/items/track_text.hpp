@@ -14,13 +14,13 @@ namespace kfast::scene_text {
 
 using NumberKeys = std::vector<StoredKey<std::int32_t>>;
 
-/// Adds to an item that `quantity` is so: as a property if it stands still, unless it is `ordinary`, or else
-/// as a track.
+/// Adds `quantity` to an item: as a property if it is constant, unless it is `ordinary`, or else as a
+/// track.
 void add_quantity(kdl::Node& item, std::string_view quantity, const NumberKeys& keys, const Grid& grid,
                   std::optional<std::int32_t> ordinary);
 
-/// Adds where a node is, how it turns, grows and fades. `pivot` is what the item has without being told,
-/// in 1/16 px.
+/// Adds the position, rotation, scale and opacity of a node. `pivot` is the default of the item, in 1/16
+/// px.
 void add_transform(kdl::Node& item, const art::Transform& transform, const art::Channel& opacity,
                    scene::Point pivot, const Writing& writing);
 

@@ -33,20 +33,20 @@ struct Shape {
         return reported_length(name, style[name], axis, measure, layer, losses);
     }
     double get(const char* name, Axis axis) const { return given(name, axis).value_or(0); }
-    /// Below 0 is an error, which leaves it "auto".
+    /// A value below 0 is an error, which leaves it "auto".
     std::optional<double> radius(const char* name, Axis axis) const
     {
         const auto value = given(name, axis);
         return value && *value >= 0 ? value : std::nullopt;
     }
-    /// Of the attributes of lines, which are no properties.
+    /// For the attributes of lines, which are no properties.
     double coordinate(const char* name, Axis axis) const
     {
         return reported_length(name, node.attribute(name).value(), axis, measure, layer, losses).value_or(0);
     }
 };
 
-/// Clockwise from the end of its upper left corner, as SVG has it; corners of elliptic arcs.
+/// Clockwise from the end of its upper left corner, as in SVG; corners are elliptic arcs.
 Outline rounded(double x, double y, double width, double height, double rx, double ry)
 {
     const double right = x + width;

@@ -32,7 +32,7 @@ bool PartReader::apply_clip(const char* property, const char* instead, Part& par
     return clip_to(*area, property, part, inside);
 }
 
-/// Whether there is an area is one thing, whether anything of the part lies in it is another.
+/// Clips the part to an area; returns whether anything of it is left.
 bool PartReader::clip_to(const art::Drawing& area, const char* feature, Part& part, const Around& inside)
 {
     if (area.outlines.empty())
@@ -40,7 +40,7 @@ bool PartReader::clip_to(const art::Drawing& area, const char* feature, Part& pa
     if (covers(seen_through(inside.to_canvas, area), corners_of({{0, 0}, {picture_.width, picture_.height}})))
         return true;
     if (!convex_corners(area))
-        return true; // too far away for numbers to tell its sides apart; so is what lies in it
+        return true; // too far away for numbers to distinguish its sides; so is what is in it
     Clip clip{area, budget_};
     const bool is_left = clip.apply(part, inside.place);
     for (const std::string& layer : clip.whole_lines())
@@ -49,7 +49,7 @@ bool PartReader::clip_to(const art::Drawing& area, const char* feature, Part& pa
 }
 
 /// What a clip or a mask lets through, in the coordinates of the part's element: one convex outline, or none
-/// where nothing is seen. Nothing where it is anything else.
+/// where nothing is visible. Nothing where it is anything else.
 std::optional<art::Drawing> PartReader::clip_area(pugi::xml_node clip, const Part& part, const Around& inside)
 {
     const Style style{{}, clip, sheet_};
@@ -79,7 +79,7 @@ std::optional<art::Drawing> PartReader::clip_area(pugi::xml_node clip, const Par
     return area;
 }
 
-/// Of a clip or a mask; without outlines where it has none. Nothing where it has several, or others.
+/// The shape of a clip or a mask; without outlines if it has none. Nothing where it has several, or others.
 std::optional<Part> PartReader::only_shape(pugi::xml_node clip, const Style& style, const Around& inside)
 {
     Part area;

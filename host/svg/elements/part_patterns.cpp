@@ -19,7 +19,7 @@ namespace {
 using art::Affine;
 using scene::Vec2;
 
-/// Twice of it, by its direction; curves as 8 lines.
+/// Twice the area, signed by its direction; curves as 8 lines.
 double signed_area(const scene::Outline& outline)
 {
     constexpr int steps = 8;
@@ -72,7 +72,7 @@ public:
     const Ink& ink() const { return ink_; }
 
 private:
-    /// Over what is there.
+    /// Adds ink over what is there.
     void add(const Ink& ink, double area, double opacity)
     {
         const double share = std::min(area / tile_, 1.0) * ink.opacity * opacity;
@@ -87,7 +87,7 @@ private:
 };
 
 /// What parts look like from far away, drawn once on each tile of an area, in their units squared: as if each
-/// of them were spread evenly. Nothing where nothing is seen.
+/// of them were spread evenly. Nothing where nothing is visible.
 std::optional<Ink> mean_ink(std::span<const Part> parts, double tile)
 {
     Spread spread{tile};
@@ -96,7 +96,7 @@ std::optional<Ink> mean_ink(std::span<const Part> parts, double tile)
     return tile > 0 && spread.ink().opacity > 0 ? std::optional{spread.ink()} : std::nullopt;
 }
 
-/// The first of a pattern and those it refers to for which that holds.
+/// The first of a pattern and those it refers to for which `holds` is true.
 template <typename Holds>
 pugi::xml_node first_of(pugi::xml_node pattern, const ElementIndex& index, const Holds& holds)
 {
@@ -144,7 +144,7 @@ std::optional<Ink> PartReader::pattern_ink(pugi::xml_node pattern, const Part& p
     return mean_ink(drawn.parts, tile);
 }
 
-/// In the units of what is drawn on it.
+/// The area of a tile in the units of what is drawn on it.
 double PartReader::tile_area(pugi::xml_node pattern, const Part& part, const Around& inside)
 {
     const auto value = [&](const char* name) {

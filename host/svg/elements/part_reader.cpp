@@ -20,7 +20,7 @@ namespace {
 using art::Affine;
 using scene::Vec2;
 
-/// Lines alone have no inside.
+/// Whether it has an inside: straight lines alone have none.
 bool has_inside(const art::Drawing& drawing)
 {
     return std::ranges::any_of(drawing.outlines, [](const scene::Outline& outline) {
@@ -36,7 +36,7 @@ bool line_lies_below(std::string_view paint_order)
 
 double opacity_of(const Style& style) { return std::clamp(share(style["opacity"]).value_or(1), 0.0, 1.0); }
 
-/// A canvas of nothing, or of the size of a house, is one of a usual size.
+/// A canvas of size 0, or of the size of a house, gets a default size.
 double canvas_side(double side, art::Losses& losses)
 {
     constexpr double largest = 1e5;
@@ -61,7 +61,7 @@ private:
     std::vector<pugi::xml_node>& open_;
 };
 
-/// What a "use" shows stands in its place, if there is nothing that only a group can do.
+/// The content of a "use" replaces it, if there is nothing that only a group can do.
 void take_place_of_use(Part& use)
 {
     if (use.parts.size() != 1 || use.opacity < 1)
@@ -128,12 +128,12 @@ void PartReader::set_background(const Style& style)
         picture_.background = art::mixed(art::Rgb{1, 1, 1}, ink->colour, ink->opacity); // pages are white
 }
 
-/// From the coordinates of the drawing to pixels.
+/// The matrix from the coordinates of the drawing to pixels.
 Affine PartReader::set_canvas(pugi::xml_node root, const Style& style)
 {
     const auto box = view_box(root.attribute("viewBox").value());
     const Measure whole =
-        box ? Measure{box->width, box->height} : Measure{300, 150}; // what CSS has for pictures
+        box ? Measure{box->width, box->height} : Measure{300, 150}; // CSS's default for pictures
     const auto width = length(style["width"], Axis::x, whole);
     const auto height = length(style["height"], Axis::y, whole);
     const double ratio = whole.width / whole.height;
@@ -209,7 +209,7 @@ bool PartReader::is_for_here(pugi::xml_node element, const std::string& layer)
     return condition.empty();
 }
 
-/// By a use, or by a clip, of an element that holds it. SVG has it that this one is not drawn.
+/// By a use, or by a clip, of an element that contains it. In SVG that one is not drawn.
 bool PartReader::is_inside_of_itself(pugi::xml_node element, const std::string& layer)
 {
     if (std::ranges::find(open_, element) == open_.end())

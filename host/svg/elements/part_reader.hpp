@@ -30,31 +30,31 @@ public:
     PartReader(pugi::xml_node root, std::vector<pugi::xml_node> shown, art::Budget& budget,
                art::Losses& losses);
 
-    /// Throws Failure when elements lie too deep in each other, and where the budget is
+    /// Throws Failure when elements are nested too deeply, and where the budget is
     /// exceeded.
     Picture read();
 
 private:
-    /// What an element is read with, of those around it.
+    /// The context of an element, from those around it.
     struct Around {
         Style style;
         Measure measure;       ///< of the nearest view box
         art::Affine to_canvas; ///< from its coordinates
         std::string layer;
         int depth = 0;
-        /// Of a symbol that is used: of the "use".
+        /// For a symbol that is used: the size of the "use".
         std::optional<double> width = std::nullopt;
         std::optional<double> height = std::nullopt;
-        art::Affine place = {}; ///< of what stands inside, where its element puts it after its transform
+        art::Affine place = {}; ///< of the content, where its element puts it after its transform
     };
     struct ElementKind {
         std::string_view name;
-        /// Reads what stands inside. `inside` are its own style and coordinates.
+        /// Reads the content. `inside` are its own style and coordinates.
         void (PartReader::*read)(pugi::xml_node, Part&, Around& inside);
     };
     static const std::vector<ElementKind> kinds;
 
-    /// Nothing where nothing of it is drawn. Symbols are drawn only where they are `used`.
+    /// Nothing if nothing of it is drawn. Symbols are drawn only where they are `used`.
     std::optional<Part> read_element(pugi::xml_node element, const Around& around, bool used = false);
     void read_children(pugi::xml_node element, Part& part, Around& inside);
     void read_first(pugi::xml_node element, Part& part, Around& inside);
@@ -64,7 +64,7 @@ private:
 
     bool is_for_here(pugi::xml_node element, const std::string& layer);
     bool is_inside_of_itself(pugi::xml_node element, const std::string& layer);
-    /// As paint(), and the mean colour of patterns.
+    /// As paint(), but with the mean colour of patterns.
     std::optional<Ink> ink(const char* property, const Part& part, const Around& inside);
     std::optional<Ink> pattern_ink(pugi::xml_node pattern, const Part& part, const Around& inside);
     double tile_area(pugi::xml_node pattern, const Part& part, const Around& inside);

@@ -11,24 +11,24 @@
 
 namespace kfast::svg {
 
-/// The affine about the point that "transform-origin" names in the view box; as it is without one.
+/// The affine about the point that "transform-origin" names in the view box; unchanged without one.
 art::Affine about_origin(const art::Affine& affine, const Style& style, const Measure& measure);
 
 /// Whether that point belongs to the box around the element instead: "transform-box: fill-box".
 bool turns_about_own_box(const Style& style);
 
-/// Then, the part's own transform about it.
+/// In that case, the part's own transform about it.
 art::Affine about_own_box(const Part& part, const Style& style);
 
-/// What is said of the size of letters, in the units around; as outside if nothing is.
+/// The font size, in the units around; that of the outside if none is set.
 double font_size(const Style& style, const Measure& outside);
 
-/// How a line is drawn that is painted with `ink`; nothing where it has no width.
+/// How a line that is painted with `ink` is drawn; nothing if it has no width.
 std::optional<Pen> pen(const Ink& ink, const Style& style, const Measure& measure, const std::string& layer,
                        art::Losses& losses);
 
-/// The drawing as its line is dashed, or as it is where it is not. `path_length` is what the author says its
-/// length is, 0 if nothing; `scale` is how much larger it is seen on the canvas.
+/// The drawing with its line dashed, or unchanged if it is not. `path_length` is the length that the author
+/// declares, 0 if none; `scale` is how much larger it is on the canvas.
 art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const Measure& measure,
                          double path_length, double scale, const std::string& layer, art::Budget& budget,
                          art::Losses& losses);

@@ -48,7 +48,7 @@ std::string unmet_condition(pugi::xml_node element)
 
 namespace {
 
-/// What others refer to, or what is never seen.
+/// What others refer to, or what is never visible.
 constexpr std::array<std::string_view, 25> unseen{
     "clipPath",     "color-profile", "cursor",  "defs",           "desc",       "filter", "font",
     "font-face",    "glyph",         "hatch",   "linearGradient", "marker",     "mask",   "mesh",

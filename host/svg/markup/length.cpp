@@ -25,7 +25,7 @@ struct Unit {
     double pixels;
 };
 
-/// As CSS has them, at 96 px to the inch.
+/// The units of CSS, at 96 px to the inch.
 constexpr std::array<Unit, 8> units{{{"", 1},
                                      {"px", 1},
                                      {"in", 96},
@@ -128,7 +128,7 @@ std::vector<double> numbers(std::string_view text, std::string_view& rest)
 
 namespace {
 
-/// Where along an axis the box lies that is smaller than its place: "xMinYMid", beside "xMin" and "xMid".
+/// Where along an axis a box is that is smaller than its area: "xMinYMid", beside "xMin" and "xMid".
 double share_before(std::string_view alignment, std::string_view min, std::string_view middle)
 {
     if (alignment.find(min) != alignment.npos)

@@ -15,7 +15,7 @@ namespace kfast::svg {
 /// The longest name that is kept, in bytes: files repeat them wherever something is used.
 inline constexpr std::size_t longest_name = 255;
 
-/// A text as it is, or its beginning of at most `max` bytes with "..." behind it; never half of a character.
+/// A text as it is, or its beginning of at most `max` bytes followed by "..."; never half of a character.
 std::string shortened(std::string_view text, std::size_t max = 40);
 
 /// What lengths are measured by.
@@ -26,14 +26,14 @@ struct Measure {
     double root_font_size = 16; ///< of the outermost element
 };
 
-/// What of the view box a percentage is of.
+/// What a percentage refers to in the view box.
 enum class Axis { x, y, diagonal };
 
-/// "12", "12px", "3mm", "50%" ... in the units of the coordinates around, at 96 to the inch. Nothing where
-/// that is no length.
+/// "12", "12px", "3mm", "50%" ... in the units of the coordinates around, at 96 to the inch. Nothing if it is
+/// no length.
 std::optional<double> length(std::string_view text, Axis axis, const Measure& measure);
 
-/// A number with nothing behind it but space.
+/// A number followed by nothing but space.
 std::optional<double> number(std::string_view text);
 
 /// A number, or a percentage of 1.
@@ -58,14 +58,14 @@ struct ViewBox {
 /// Nothing where there is none, or one without an extent.
 std::optional<ViewBox> view_box(std::string_view text);
 
-/// Takes the box into a rectangle from (0, 0) to (width, height), as "preserveAspectRatio" says.
+/// Maps the box into a rectangle from (0, 0) to (width, height), as "preserveAspectRatio" says.
 art::Affine fitted(const ViewBox& box, double width, double height, std::string_view aspect_ratio);
 
-/// Of coordinates in a file: further away nothing is seen, and squares of it are still finite.
+/// The limit of coordinates in a file: farther away nothing is visible, and its squares are still finite.
 inline constexpr double farthest = 1e7;
 
-/// The length that a property or attribute has, held within `farthest`; nothing where it is not set or
-/// "auto". A text that is no length is nothing as well, and a loss of the layer.
+/// The length that a property or attribute has, clamped to `farthest`; nothing where it is not set or "auto".
+/// A text that is no length is nothing as well, and a loss of the layer.
 std::optional<double> reported_length(std::string_view name, std::string_view text, Axis axis,
                                       const Measure& measure, const std::string& layer, art::Losses& losses);
 

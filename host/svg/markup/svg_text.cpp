@@ -51,7 +51,7 @@ private:
         order_.emplace_back(depth(), std::move(prefix));
     }
 
-    /// What elements declare that lie as deep or deeper holds no more.
+    /// The declarations of elements at this depth or deeper end here.
     void leave(int depth)
     {
         for (; !order_.empty() && order_.back().first >= depth; order_.pop_back())
@@ -82,8 +82,8 @@ private:
     std::vector<std::pair<int, std::string>> order_; ///< with the depth of the element
 };
 
-/// Gives elements of SVG their names without a prefix, and all others a name with one. SVG is also what an
-/// outermost element without a prefix is of.
+/// Gives elements of SVG their names without a prefix, and all others a name with one. An outermost element
+/// without a prefix is one of SVG, too.
 void resolve_namespaces(pugi::xml_document& document)
 {
     Resolver resolver{document.document_element()};
@@ -95,7 +95,7 @@ constexpr std::size_t max_entity_name = 256;                  ///< of an entity
 
 using Entities = std::map<std::string, std::string, std::less<>>;
 
-/// Those with a value in quotes of the declarations inside of the document type.
+/// The declarations inside of the document type that have a value in quotes.
 Entities declared_entities(std::string_view text)
 {
     constexpr std::string_view opening = "<!ENTITY";
@@ -116,7 +116,7 @@ Entities declared_entities(std::string_view text)
 }
 
 /// Illustrator writes names of namespaces, and its older versions whole styles, as entities. Their values are
-/// put in as they are, so that entities of entities cannot grow without bounds.
+/// inserted as they are, so that entities of entities cannot grow without bounds.
 std::string with_entities(const SourceText& source)
 {
     const std::string_view text = source.text;

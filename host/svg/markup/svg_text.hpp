@@ -14,7 +14,7 @@ namespace kfast::svg {
 pugi::xml_document parsed(const SourceText& source);
 
 /// The name of an element of SVG in a text that was parsed(), without a prefix. Empty for texts, and for
-/// elements of other namespaces, such as those that Inkscape keeps its own things in.
+/// elements of other namespaces, such as those with Inkscape's own data.
 std::string_view element_name(pugi::xml_node node);
 
 /// The drawing: the outermost element.
@@ -23,7 +23,7 @@ pugi::xml_node drawing_of(const pugi::xml_document& document);
 /// The id that an attribute "href" names in the same text, with or without the prefix "xlink"; else empty.
 std::string_view referred_id(pugi::xml_node node);
 
-/// The elements of a text by their ids; of several with the same one, the first.
+/// The elements of a text by their ids; the first of several with the same one.
 class ElementIndex {
 public:
     explicit ElementIndex(pugi::xml_node root);

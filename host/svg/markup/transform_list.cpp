@@ -29,7 +29,7 @@ Affine rotate(const Values& v)
 
 struct Kind {
     std::string_view name;
-    std::size_t min; ///< values; or `max`, but for "rotate" nothing between
+    std::size_t min; ///< values; or `max`, and, except for "rotate", nothing between
     std::size_t max;
     Affine (*matrix)(const Values&);
 };

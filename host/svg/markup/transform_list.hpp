@@ -7,8 +7,8 @@
 
 namespace kfast::svg {
 
-/// A list of transforms of SVG or CSS: "translate(10 20) rotate(30)", "scaleX(2) rotate(0.5turn)". Nothing
-/// where one of them is none of the plane, or is not written as it should be.
+/// A list of transforms of SVG or CSS: "translate(10 20) rotate(30)", "scaleX(2) rotate(0.5turn)". Nothing if
+/// one of them is not in the plane, or is not valid.
 std::optional<art::Affine> transform_list(std::string_view text);
 
 }

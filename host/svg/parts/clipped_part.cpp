@@ -28,7 +28,7 @@ std::vector<Vec2> corners_of(const scene::Outline& outline)
     return corners;
 }
 
-/// On which sides of the area's edges a place lies: both, where it lies outside.
+/// On which sides of the area's edges a point is: on both, if it is outside.
 struct Sides {
     bool left = false;
     bool right = false;
@@ -136,11 +136,11 @@ double crossing(const Segment& segment, const Edge& edge, double begin, double e
     return (begin + end) / 2;
 }
 
-/// Parameters where a segment crosses an edge, with 0 and 1 around them. Of a cubic it is asked at 16 places,
-/// so that what lies beyond an edge between two of these stays there.
+/// Parameters where a segment crosses an edge, with 0 and 1 around them. A cubic is sampled at 16 points, so
+/// that what is beyond an edge between two of these stays there.
 std::vector<double> cuts_of(const Segment& segment, const Edge& edge)
 {
-    constexpr double at_its_end = 1e-7; // where rounding makes a crossing of a touch
+    constexpr double at_its_end = 1e-7; // where rounding turns a touch into a crossing
     const int steps = segment.cubic ? 16 : 1;
     std::vector<double> cuts{0};
     for (int step = 0; step < steps; ++step) {
@@ -175,8 +175,8 @@ private:
     std::optional<Outline> outline_;
 };
 
-/// As Sutherland and Hodgman cut polygons, an edge at a time; inside, every place is still wound about as
-/// often.
+/// Sutherland-Hodgman clipping, an edge at a time; inside, the winding number of every point is
+/// preserved.
 std::optional<Outline> cut_at(const Edge& edge, const Outline& outline)
 {
     constexpr double on_the_edge = 1e-9;
@@ -242,7 +242,7 @@ std::size_t curves_in(const art::Drawing& drawing)
     return count;
 }
 
-/// What both have in common. Where one of them has to be made of lines, it is the one that is so already.
+/// The intersection of both. If one of them has to consist of lines, it is the one that already does.
 art::Drawing common(const art::Drawing& drawing, const art::Drawing& area, art::Budget& budget)
 {
     const auto straight = has_curves(drawing) ? std::nullopt : convex_corners(drawing);

@@ -11,26 +11,26 @@
 
 namespace kfast::svg {
 
-/// Of a drawing of one convex outline: each curve of it as 16 lines. Nothing of others.
+/// The corners of a drawing of one convex outline: each curve as 16 lines. Nothing for others.
 std::optional<std::vector<scene::Vec2>> convex_corners(const art::Drawing& drawing);
 
-/// Whether all of the places lie in the area of a drawing, up to 1/100 px. Only for drawings of one convex
-/// outline; of others it is false, since nobody has asked for more.
+/// Whether all of the points are in the area of a drawing, up to 1/100 px. Only for drawings of one convex
+/// outline; for others it is false, since nothing needs more.
 bool covers(const art::Drawing& area, std::span<const scene::Vec2> places);
 
-/// What a filled drawing has inside of a convex area with these corners, in either direction. Its outlines
+/// The part of a filled drawing inside of a convex area with these corners, in either direction. Its outlines
 /// are closed, and have lines along the edges of the area where something was cut off.
 art::Drawing cut(const art::Drawing& drawing, std::span<const scene::Vec2> area);
 
-/// What a clip does to a part: takes away what lies outside of a convex area. Fills are cut; lines that reach
-/// over the edge of the area stay whole.
+/// Applies a clip to a part: removes what is outside of a convex area. Fills are cut; lines that cross the
+/// edge of the area stay whole.
 class Clip {
 public:
     /// `area` is a drawing with convex_corners().
     Clip(const art::Drawing& area, art::Budget& budget) : area_{area}, budget_{budget} {}
 
-    /// `affine`, from what is drawn of the part to the coordinates of the area, takes the place of its own.
-    /// False where nothing of it is left.
+    /// `affine`, from what is drawn of the part to the coordinates of the area, replaces its own. Returns
+    /// false if nothing of it is left.
     bool apply(Part& part, const art::Affine& affine);
 
     /// Layers of the lines that stayed whole.

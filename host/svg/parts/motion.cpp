@@ -34,7 +34,7 @@ Vec2 mean(const std::vector<Vec2>& spots)
     return (1 / static_cast<double>(spots.size())) * sum;
 }
 
-/// The least squares of the point that all affines leave where it is: (A - I) p + t = 0 for each of them.
+/// The least-squares solution for the fixed point of all affines: (A - I) p + t = 0 for each of them.
 std::optional<Vec2> fixed_point(std::span<const Affine> affines)
 {
     double xx = 0;
@@ -79,7 +79,7 @@ Vec2 pivot_of(std::span<const Affine> affines, const Box& box)
     return near ? *fixed : box.centre();
 }
 
-/// As complex numbers the affine is a z + b; a is the least squares of it.
+/// As complex numbers the affine is a z + b; a is the least-squares solution.
 std::optional<Affine> similarity(const art::Drawing& from, const art::Drawing& to, double tolerance)
 {
     if (!art::same_form(from, to))
@@ -111,7 +111,7 @@ std::optional<Affine> similarity(const art::Drawing& from, const art::Drawing& t
 bool is_even(const Affine& m)
 {
     const double size = m.a * m.a + m.b * m.b + m.c * m.c + m.d * m.d;
-    return size - 2 * std::abs(m.determinant()) <= 1e-4 * size; // (s1 - s2)^2 of the two growths
+    return size - 2 * std::abs(m.determinant()) <= 1e-4 * size; // (s1 - s2)^2 of the two scales
 }
 
 bool is_near(const Affine& left, const Affine& right)

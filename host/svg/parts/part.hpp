@@ -23,10 +23,10 @@ struct Pen {
     friend bool operator==(const Pen&, const Pen&) = default;
 };
 
-/// An element that is drawn, with all that it inherits worked out: a group, or a shape with a fill or a line.
+/// An element that is drawn, with all that it inherits resolved: a group, or a shape with a fill or a line.
 struct Part {
-    std::string id;    ///< what it is found by in other drawings; may be empty
-    std::string label; ///< as Inkscape has it; may be empty
+    std::string id;    ///< by which it is found in other drawings; may be empty
+    std::string label; ///< Inkscape's; may be empty
     std::string kind;  ///< name of the element
     std::string name;  ///< what the scene calls it
     std::string layer; ///< of losses: names from the outermost
@@ -34,7 +34,7 @@ struct Part {
     double opacity = 1;
 
     bool is_group = false;
-    std::vector<Part> parts; ///< of a group, the first lies lowest
+    std::vector<Part> parts; ///< of a group, the first is the lowest
 
     art::Drawing drawing; ///< of a shape
     FillRule rule = FillRule::nonzero;
@@ -54,11 +54,11 @@ art::Drawing outline_of(const Box& box);
 
 art::Drawing seen_through(const art::Affine& affine, const art::Drawing& drawing);
 
-/// Around all that is drawn of a part, seen through `affine`, which takes the place of its own. Nothing where
+/// The box around all that is drawn of a part, transformed by `affine`, which replaces its own. Nothing if
 /// nothing is drawn.
 std::optional<Box> box_of(const Part& part, const art::Affine& affine);
 
-/// Likewise; lines count with half of their width.
+/// The same, but lines count with half of their width.
 std::optional<Box> box_with_lines(const Part& part, const art::Affine& affine);
 
 /// Makes a group of a shape with a fill and a line: a shape has one drawing, and its line over its fill.

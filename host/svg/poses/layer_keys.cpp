@@ -65,11 +65,11 @@ std::optional<double> layer_time(std::string_view name, double frame_rate)
 
 namespace {
 
-// What does not change is there once for each layer.
+// What does not change is copied for each layer.
 constexpr std::size_t max_layers = 500;
 constexpr std::size_t max_copies = std::size_t{1} << 18;
 
-/// Inkscape's label; of other programs, the id.
+/// Inkscape's label; for other programs, the id.
 std::string layer_name(pugi::xml_node element)
 {
     const auto label = element.attribute("inkscape:label");
@@ -90,7 +90,7 @@ std::vector<KeyLayer> timed_layers(pugi::xml_node root, double frame_rate)
     return layers;
 }
 
-/// Ids are unique in a text, so that those of a copied layer differ from the ones it was copied from.
+/// Ids are unique in a text, so a copied layer has other ids than the one it was copied from.
 void forget_ids(Part& part)
 {
     part.id.clear();

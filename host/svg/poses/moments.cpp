@@ -17,7 +17,7 @@ bool is_there(const Moment& moment) { return moment.part != nullptr; }
 
 bool nearly_equal(double left, double right) { return std::abs(left - right) <= 1e-5; }
 
-/// The first moment, or the largest one where the first is much smaller: points are rounded before they grow.
+/// The first moment, or the largest one where the first is much smaller: points are rounded before scaling.
 std::size_t moment_of_rest(const std::vector<Affine>& all)
 {
     constexpr double much = 4; // by area

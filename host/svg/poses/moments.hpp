@@ -11,14 +11,14 @@
 
 namespace kfast::svg {
 
-/// When something is as it is, and how it goes on from there.
+/// The time of a state of something, and how it changes from there on.
 struct Instant {
     double time = 0;
     art::Ease ease = {};
 };
 
 /// A value at each of the instants, of which there is at least one, as keys: of equal ones in a row, only the
-/// first and the last are needed, and of a value that never changes, one. `same` tells which are equal.
+/// first and the last are needed, and of a value that never changes, one. `same` says which are equal.
 template <typename Value, typename Same>
 art::Animated<Value> keyed(const std::vector<Instant>& instants, const std::vector<Value>& values,
                            const Same& same, art::Budget& budget)
@@ -48,12 +48,12 @@ using Moments = std::vector<Moment>;
 
 const Part& first_part(const Moments& moments);
 
-/// Those that have the part.
+/// The moments that have the part.
 Moments present(const Moments& moments);
 
 std::vector<Instant> instants(const Moments& moments);
 
-/// Of what all have, a value each.
+/// A value of each of the moments.
 template <typename Get>
 auto values_of(const Moments& moments, const Get& get)
 {
@@ -63,27 +63,27 @@ auto values_of(const Moments& moments, const Get& get)
     return values;
 }
 
-/// When the part is seen: from its moment on, until the next one without it.
+/// When the part is visible: from its moment on, until the next one without it.
 std::vector<art::Span> spans(const Moments& moments);
 
-/// From the part's own coordinates to those that its moment's fold leads to; of what is not there, any.
+/// From the part's own coordinates to those that its moment's fold leads to; any for what is not there.
 std::vector<art::Affine> ways(const Moments& moments);
 
 /// How a part moves from where it is at first.
 struct Motion {
-    art::Affine at_rest;                 ///< its way at one of the moments: goes into its points
+    art::Affine at_rest;                 ///< its map at one of the moments: goes into its points
     std::vector<art::Affine> from_there; ///< for each moment with it
     scene::Vec2 pivot;
 };
 
-/// Nothing where it stays, or leans, so that no node can do the same.
+/// Nothing if it stays, or if it has skew, so that no node can do the same.
 std::optional<Motion> motion_of(const Moments& moments);
 
-/// Likewise of something that lies in a box at rest, by what takes it from there to each moment.
+/// The same for something that is in a box at rest, by what maps it from there to each moment.
 std::optional<Motion> motion_of(const art::Affine& at_rest, std::vector<art::Affine> from_there,
                                 const Box& box);
 
-/// Of a node, with the moments that have it. Rotations go the shortest way.
+/// The transform of a node, from the moments that have it. Rotations go the shorter way round.
 art::Transform transform_of(const Motion& motion, const Moments& moments, art::Budget& budget);
 
 }

@@ -28,7 +28,7 @@ const std::string& author_name(const Part& part)
     return is_made_up(part.id) ? none : part.id;
 }
 
-/// By their order alone: not what an author has given different names.
+/// Whether they match by order alone: not if an author has given them different names.
 bool may_be_same(const Part& left, const Part& right)
 {
     const std::string& one = author_name(left);
@@ -37,7 +37,7 @@ bool may_be_same(const Part& left, const Part& right)
            (one.empty() || other.empty() || one == other);
 }
 
-/// Takes in one drawing after the other.
+/// Adds one drawing after the other.
 class Matcher {
 public:
     explicit Matcher(std::size_t drawings) : drawings_{drawings} {}
@@ -59,7 +59,7 @@ public:
 private:
     static constexpr auto none = static_cast<std::size_t>(-1);
 
-    /// Of the last drawing that has it.
+    /// The part in the last drawing that has it.
     static const Part& latest(const PartLane& lane)
     {
         return **std::ranges::find_if(lane.rbegin(), lane.rend(),
@@ -91,7 +91,7 @@ private:
 
     void by_order(const Part& group, std::vector<std::size_t>& lanes)
     {
-        constexpr std::size_t max_tries = 256; // of many unlike ones in a row
+        constexpr std::size_t max_tries = 256; // for many dissimilar ones in a row
         std::vector<std::size_t> free;
         for (std::size_t lane = 0; lane < result_.lanes.size(); ++lane)
             if (is_free(lane))
@@ -110,7 +110,7 @@ private:
         }
     }
 
-    /// Above what each of them lies on in its own drawing.
+    /// Puts new parts above what each of them is on in its own drawing.
     void put_in_new(const Part& group, std::vector<std::size_t>& lanes)
     {
         std::size_t place = 0;
@@ -155,7 +155,7 @@ PartMatch matched(std::span<const Part* const> groups)
 
 namespace {
 
-/// What is said of a pair of parts.
+/// What is reported about a pair of parts.
 struct Guess {
     const Part* before = nullptr;
     const Part* after = nullptr;
@@ -178,7 +178,7 @@ std::vector<const Part*> there(const PartLane& lane)
     return parts;
 }
 
-/// The first of them.
+/// The first of the guesses.
 Guess guess_in(std::span<const Part* const> groups)
 {
     for (const PartLane& lane : matched(groups).lanes) {

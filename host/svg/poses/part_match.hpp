@@ -13,13 +13,13 @@ namespace kfast::svg {
 /// The same part in one drawing after the other; null where it is not there. At least one is.
 using PartLane = std::vector<const Part*>;
 
-/// Which parts of groups, that are the same in several drawings, are the same: those with the same id, else
-/// with the same label, else by their order among those of one kind, unless both have names that an author
-/// gave and these differ. Groups (null: not there) and shapes are never the same. The first lies lowest, in
-/// the order of the first drawing; what comes in later lies where it does there.
+/// Which parts of groups that match in several drawings match each other: those with the same id, else with
+/// the same label, else by their order among those of one kind, unless both have names that an author gave
+/// and these differ. Groups (null: not there) and shapes never match. The first is the lowest, in the order
+/// of the first drawing; what is added later is placed as it is there.
 struct PartMatch {
     std::vector<PartLane> lanes;
-    /// The first drawing in which they lie in another order over each other; 0 if there is none.
+    /// The first drawing in which their stacking order is different; 0 if there is none.
     std::size_t reordered = 0;
 };
 PartMatch matched(std::span<const Part* const> groups);

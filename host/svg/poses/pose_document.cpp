@@ -19,7 +19,7 @@ namespace {
 
 using art::Affine;
 
-/// Deeper than this, groups are kept only where they do something: scenes hold 8 in each other.
+/// Deeper than this, groups are kept only if they do something: scenes nest at most 8.
 constexpr int deepest_named = 4;
 
 void add_ids(const Part& part, std::set<std::string_view>& ids)
@@ -30,7 +30,7 @@ void add_ids(const Part& part, std::set<std::string_view>& ids)
         add_ids(inner, ids);
 }
 
-/// By an author, and not a shape in two parts.
+/// Whether an author named it, and it is not a shape in two parts.
 bool is_named(const Part& part)
 {
     return !is_shape(part.kind) && (!part.label.empty() || !is_made_up(part.id));
@@ -78,7 +78,7 @@ private:
             const std::size_t before = nodes.size();
             add_parts(seen, folds, nodes, depth);
             if (nodes.size() == before + 1 && is_named(first) && is_made_up(nodes.back().name))
-                nodes.back().name = first.name; // what it holds has no better one
+                nodes.back().name = first.name; // its content has no better one
             return;
         }
         art::Group group;
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    /// An id that lies in another group there is not found.
+    /// Reports ids that are in another group there, and so are not found.
     void report_elsewhere(const Moments& moments, const Moments& groups)
     {
         const Part& part = first_part(moments);
@@ -143,7 +143,7 @@ std::vector<art::Node> nodes_of(std::span<const Pose> poses, art::Budget& budget
 
 namespace {
 
-/// Whether the last moment looks like the first one.
+/// Whether the last pose looks like the first one.
 bool closes(const std::vector<Pose>& poses)
 {
     return poses.size() == 1 || looks_like(poses.front().root, poses.back().root);

@@ -12,19 +12,19 @@
 
 namespace kfast::svg {
 
-/// A drawing at a moment.
+/// A drawing at a time.
 struct Pose {
     double time = 0;     ///< in frames
-    art::Ease ease = {}; ///< of the way to the next one
+    art::Ease ease = {}; ///< of the transition to the next one
     Part root;
 };
 
-/// What a scene draws that looks like each of the poses at its time, of which there is at least one; times
+/// The nodes of a scene that looks like each of the poses at its time; there is at least one pose, and times
 /// rise.
 ///
-/// What is the same in several poses (part_match.hpp) is one node. Groups stay groups where they fade or
-/// move, or where an author has named them; all other transforms go into the points. What moves without a
-/// change of its form, or turns or grows, does so as a node; what changes otherwise does so in its points.
+/// Parts that match in several poses (part_match.hpp) are one node. Groups stay groups if they fade or move,
+/// or if an author has named them; all other transforms go into the points. What moves without changing its
+/// form, or rotates or scales, does so as a node; what changes otherwise does so in its points.
 std::vector<art::Node> nodes_of(std::span<const Pose> poses, art::Budget& budget, art::Losses& losses);
 
 /// The scene of key drawings: of at least one pose, in the order of their times, the first at 0 or later.

@@ -13,11 +13,11 @@ namespace {
 using art::Affine;
 using art::Drawing;
 
-/// In pixels: beyond it nothing is seen of anything.
+/// In pixels: nothing beyond it is visible.
 constexpr double farthest = 1e6;
 /// In pixels: files of drawings are rounded, most of them to 1/1000 of their units.
 constexpr double rounding = 1.0 / 64;
-/// Of points that are rounded before they grow.
+/// For points that are rounded before they are scaled.
 constexpr double max_scale_factor = 4;
 
 bool is_near_enough(scene::Vec2 spot) { return std::abs(spot.x) <= farthest && std::abs(spot.y) <= farthest; }
@@ -40,7 +40,7 @@ Drawing through(const Affine& affine, const Drawing& drawing)
     return result;
 }
 
-/// Without what lies too far away.
+/// The moments without what is too far away.
 Moments drawable(const Moments& moments, art::Losses& losses)
 {
     Moments result = moments;
@@ -90,7 +90,7 @@ private:
                                    [&](const Moment& each) { return each.part->drawing == first_.drawing; });
     }
 
-    /// Points that were moved, turned or grown evenly together; a line would have to grow with them.
+    /// For points that were moved, rotated or scaled evenly together; a line would have to scale with them.
     std::optional<Motion> fitted_motion() const
     {
         const Drawing from = through(ways_.front(), first_.drawing);
@@ -152,7 +152,7 @@ private:
                 .miter_limit = pen.miter_limit};
     }
 
-    /// On the canvas, or in the node around; of what has no line there, the width of the first that has.
+    /// The width on the canvas, or in the node around; without a line there, that of the first that has one.
     double width(std::size_t moment) const
     {
         const Part* part = moments_[moment].part;
@@ -163,7 +163,7 @@ private:
         return part->pen->keeps_width ? part->pen->width : scale_factor(ways_[moment]) * part->pen->width;
     }
 
-    /// The node's growth comes on top of it.
+    /// The node's scale is applied to it.
     double width_at_rest(std::size_t moment)
     {
         const double grown = scale_factor(motion_->from_there[moment]);
@@ -182,7 +182,7 @@ private:
                                    [&](const Moment& each) { return (each.part->*member).has_value(); });
     }
 
-    /// Where nothing is painted, the last colour, or the first one, is not seen.
+    /// Where nothing is painted, the last colour, or the first one, is used: it is not visible.
     template <typename Get>
     std::vector<Ink> inks_of(const Get& get) const
     {

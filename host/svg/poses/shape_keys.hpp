@@ -7,8 +7,8 @@
 
 namespace kfast::svg {
 
-/// The shape that a shape is over all moments. Nothing where nothing of it can be seen; what lies too far
-/// away to be drawn is a loss.
+/// The node of a shape over all moments. Nothing if nothing of it is visible; what is too far away to be
+/// drawn is a loss.
 std::optional<art::Node> shape_node(const Moments& moments, art::Budget& budget, art::Losses& losses);
 
 }

@@ -28,7 +28,7 @@ struct Component {
     std::string_view unit;
 };
 
-/// Between the parentheses: numbers and percentages, with space, commas or a slash between them.
+/// The arguments in parentheses: numbers and percentages, with space, commas or a slash between them.
 std::optional<std::vector<Component>> components(std::string_view text)
 {
     std::vector<Component> result;
@@ -46,7 +46,7 @@ std::optional<std::vector<Component>> components(std::string_view text)
     return result;
 }
 
-/// `whole` is what 100 % are as a plain number.
+/// `whole` is 100 % as a plain number.
 double share_of(const Component& component, double whole)
 {
     return std::clamp(component.value / (component.unit == "%" ? 100 : whole), 0.0, 1.0);
@@ -71,7 +71,7 @@ art::Rgb of_hsl(double hue, double saturation, double lightness)
     return {channel(0), channel(8), channel(4)};
 }
 
-/// Between commas, as CSS had it first, all channels are numbers or all are percentages.
+/// With commas, the older form of CSS, all channels are numbers or all are percentages.
 bool is_mixed(std::string_view arguments, const std::vector<Component>& parts)
 {
     return arguments.find(',') != arguments.npos &&

@@ -15,7 +15,7 @@ struct Ink {
 };
 
 /// A colour as CSS writes it: a name, "#rgb", "#rgba", "#rrggbb", "#rrggbbaa", rgb(), rgba(), hsl(), hsla(),
-/// or "transparent". Names and words in any case. Nothing where it is none of these.
+/// or "transparent". Names and words in any case. Nothing if it is none of these.
 std::optional<Ink> colour(std::string_view text);
 
 }

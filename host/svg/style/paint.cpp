@@ -44,7 +44,7 @@ std::vector<Stop> own_stops(pugi::xml_node gradient, const Painter& painter)
     return stops;
 }
 
-/// Those of the first gradient in the chain of references that has any.
+/// The stops of the first gradient in the chain of references that has any.
 std::vector<Stop> stops_of(pugi::xml_node gradient, const Painter& painter)
 {
     constexpr int longest_chain = 32;
@@ -57,7 +57,7 @@ std::vector<Stop> stops_of(pugi::xml_node gradient, const Painter& painter)
     return {};
 }
 
-/// Over all offsets, where what is seen more weighs more.
+/// The mean over all offsets, weighted by opacity.
 Ink mean_of(const std::vector<Stop>& stops)
 {
     double opacity = 0;

@@ -11,7 +11,7 @@
 
 namespace kfast::svg {
 
-/// What `property`, "fill" or "stroke", paints with; nothing where it paints nothing. Of a gradient it is the
+/// What `property`, "fill" or "stroke", paints with; nothing if it paints nothing. For a gradient it is the
 /// mean colour, a loss of the layer, as is a pattern.
 std::optional<Ink> paint(std::string_view property, const Style& style, const ElementIndex& index,
                          StyleSheet& sheet, const std::string& layer, art::Losses& losses);

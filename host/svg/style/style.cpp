@@ -70,7 +70,7 @@ constexpr std::array properties = std::to_array<Property>({
     {"translate", reported, false, "none", "not moved; write it as a transform"},
 });
 
-/// Of texts, of how fast or well something is drawn, of pointers and of pages.
+/// Properties of texts, of rendering speed and quality, of pointers and of pages.
 constexpr std::array<std::string_view, 30> silent_beginnings{
     "-",        "alignment-", "animation-", "background", "baseline-",  "block-",    "border", "box-",
     "color-",   "cursor",     "direction",  "dominant-",  "enable-",    "flood-",    "font",   "glyph-",
@@ -140,7 +140,7 @@ bool is_known_attribute(std::string_view name)
 
 namespace {
 
-/// What an element itself says, the winner last.
+/// The declarations of an element itself, the winner last.
 std::vector<Declaration> said(pugi::xml_node element, StyleSheet& sheet)
 {
     std::vector<Declaration> result;
@@ -158,7 +158,7 @@ std::vector<Declaration> said(pugi::xml_node element, StyleSheet& sheet)
 
 bool is_custom(std::string_view property) { return property.starts_with("--"); }
 
-/// "marker" stands for three properties.
+/// "marker" is a shorthand for three properties.
 void add(std::vector<Declaration>& all, const Declaration& each)
 {
     if (each.property != "marker") {
@@ -219,7 +219,7 @@ std::size_t Style::bytes() const
     return sum;
 }
 
-/// "var(--name, fallback)" as a whole value; what a variable holds may be one itself.
+/// Replaces "var(--name, fallback)" as a whole value; the value of a variable may be one itself.
 void Style::put_in_custom_properties()
 {
     for (auto& [name, value] : values_)

@@ -13,7 +13,7 @@ namespace kfast::svg {
 
 enum class Care {
     read,     ///< the scene has it
-    silent,   ///< nothing of the picture depends on it
+    silent,   ///< it does not affect the picture
     reported, ///< a loss unless it is `default_value`
     unknown,
 };
@@ -26,24 +26,24 @@ struct Property {
     std::string_view instead = {};       ///< of what is reported
 };
 
-/// A property of CSS, or an attribute that stands for one.
+/// A property of CSS, or an attribute that represents one.
 Property property_of(std::string_view name);
 
 /// Whether an attribute of an element is understood, or has no effect on the picture.
 bool is_known_attribute(std::string_view name);
 
-/// What holds for one element after all rules and what it inherits: the value of each property that is set.
+/// The computed style of one element, after rules and inheritance: the value of each set property.
 class Style {
 public:
     Style() = default;
-    /// Of an element inside of one with the style `outer`: from attributes, rules of the sheet, and its own
-    /// "style".
+    /// The style of an element inside of one with the style `outer`: from attributes, rules of the sheet, and
+    /// its own "style".
     Style(const Style& outer, pugi::xml_node element, StyleSheet& sheet);
 
-    /// Of all values together.
+    /// The size of all values together.
     std::size_t bytes() const;
 
-    /// Adds what the scene will not have of it, as losses of the layer.
+    /// Adds what the scene will not have as losses of the layer.
     void report(const std::string& layer, art::Losses& losses) const;
 
     /// Empty where it is not set.

@@ -28,7 +28,7 @@ std::string without_comments(std::string_view css)
     return result;
 }
 
-/// The parts between `separator`s that stand in no parentheses and no quotes.
+/// The parts between `separator`s that are in no parentheses and no quotes.
 std::vector<std::string_view> split(std::string_view text, char separator)
 {
     std::vector<std::string_view> parts;
@@ -60,7 +60,7 @@ bool is_word_letter(char letter)
     return std::isalnum(byte) != 0 || letter == '-' || letter == '_' || byte >= 0x80;
 }
 
-/// A name, in which a backslash takes the letter behind it as it is.
+/// A name, in which a backslash takes the letter after it literally.
 std::string take_word(std::string_view& text)
 {
     std::string word;
@@ -73,7 +73,7 @@ std::string take_word(std::string_view& text)
     return word;
 }
 
-/// Cuts a compound off; nothing where there is none, or where it has brackets or colons.
+/// Takes a compound off the text; nothing if there is none, or if it has brackets or colons.
 std::optional<Compound> take_compound(std::string_view& text)
 {
     Compound compound;
@@ -99,7 +99,7 @@ std::optional<Compound> take_compound(std::string_view& text)
 
 int specificity(const Compound& compound)
 {
-    constexpr std::size_t max = 99; // of a kind: the next one counts more than them all
+    constexpr std::size_t max = 99; // of a kind: the next one outweighs them all
     return static_cast<int>(10'000 * std::min(compound.ids.size(), max) +
                             100 * std::min(compound.classes.size(), max)) +
            (compound.type.empty() ? 0 : 1);
@@ -180,7 +180,7 @@ bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries
 
 bool Selector::matches(pugi::xml_node element) const
 {
-    int tries = 1000; // many descendants in each other would try all combinations
+    int tries = 1000; // many nested descendants would try all combinations
     return svg::matches(compound, element) && matches_around(around.begin(), around.end(), element, tries);
 }
 

@@ -18,17 +18,17 @@ struct Declaration {
     bool important = false;
 };
 
-/// What stands between the braces of a rule, or in an attribute "style".
+/// The declarations between the braces of a rule, or in an attribute "style".
 std::vector<Declaration> declarations(std::string_view text);
 
-/// What an element has to be: "rect", ".thin", "#nose", or all of these at once.
+/// What an element must match: "rect", ".thin", "#nose", or all of these at once.
 struct Compound {
     std::string type; ///< empty: any
     std::vector<std::string> ids;
     std::vector<std::string> classes;
 };
 
-/// A compound, and those that elements around it have to be, from the inside to the outside.
+/// A compound, and those that elements around it must match, from the inside to the outside.
 struct Selector {
     struct Outer {
         Compound compound;
@@ -52,7 +52,7 @@ public:
     /// Adds those of all elements "style" below `root`. What is not understood is added to `losses`.
     void add_elements(pugi::xml_node root, art::Losses& losses);
 
-    /// Those that match, the one that wins last.
+    /// The rules that match, the winner last.
     std::vector<const Rule*> matching(pugi::xml_node element);
 
 private:

@@ -6,11 +6,11 @@
 namespace kfast::synfig {
 namespace {
 
-// Bones that are shorter carry nothing.
+// Shorter bones deform nothing.
 constexpr double min_length = 1e-6;
 constexpr double nearest_distance = 1e-10;
 constexpr double same_length = 1e-3;
-// Matrices are kept of so many moments.
+// Matrices are cached for that many times.
 constexpr std::size_t max_moments = 4096;
 
 double distance_to_bone(const Bone& bone, Vec2 place)
@@ -21,13 +21,13 @@ double distance_to_bone(const Bone& bone, Vec2 place)
     return scene::distance(place, bone.from() + share * along);
 }
 
-/// How deep a place lies in a circle: 1 in its middle, 0 on its edge and below that outside.
+/// How deep a point is in a circle: 1 in its middle, 0 on its edge and below that outside.
 double depth_in_circle(Vec2 centre, double radius, Vec2 place)
 {
     return radius > 0 ? 1 - scene::distance(centre, place) / radius : 0;
 }
 
-/// The same between the lines that touch both circles, from the middle of the bone outwards.
+/// The same between the common tangents of both circles, from the middle of the bone outwards.
 double depth_in_belt(const Bone& bone, double margin, Vec2 place)
 {
     const double first = bone.width + margin;
@@ -55,7 +55,7 @@ double depth_in(const Bone& bone, double margin, Vec2 place)
                      depth_in_belt(bone, margin, place)});
 }
 
-/// From the bone's own coordinates, in which it leads from (0, 0) to (1, 0).
+/// The matrix from the bone's own coordinates, in which it is from (0, 0) to (1, 0).
 art::Affine frame_of(const Bone& bone)
 {
     const Vec2 along = bone.to() - bone.from();

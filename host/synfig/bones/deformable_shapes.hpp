@@ -8,24 +8,24 @@
 
 namespace kfast::synfig {
 
-/// At which shares each curve is divided, outline by outline, curve by curve. Lines that are divided become
-/// curves.
+/// At which parameters each curve is divided, outline by outline, curve by curve. Lines that are divided
+/// become curves.
 using Division = std::vector<std::vector<std::vector<double>>>;
 
-/// Halves curves until `error`, of a cubic and where it begins, is within the tolerance, at most 16 to 1.
+/// Halves curves until `error`, of a cubic and its start, is within the tolerance, at most into 16.
 Division division(const art::Drawing& drawing, double tolerance,
                   const std::function<double(const scene::Curve&, scene::Vec2)>& error);
 
-/// The same picture with more points. The drawing has the form of the one that was looked at.
+/// The same picture with more points. The drawing has the form of the one that was examined.
 art::Drawing divided(const art::Drawing& drawing, const Division& division);
 
 scene::Vec2 spot_on(const scene::Curve& cubic, scene::Vec2 from, double share);
 
-/// As skins count them: where outlines begin, and where their curves end, but for the closing point.
+/// Points as skins count them: where outlines begin, and where their curves end, but for the closing point.
 std::vector<scene::Vec2> points_of(const art::Drawing& drawing);
 
-/// Takes the movements of groups and shapes into the drawings of the shapes, so that all of them stand
-/// where the nodes stand. Names, opacities and when nodes are seen stay.
+/// Bakes the motion of groups and shapes into the drawings of the shapes, so that all of them are in the
+/// coordinates of the nodes. Names, opacities and visibility stay.
 void flatten(std::vector<art::Node>& nodes, const Layer& layer);
 
 }

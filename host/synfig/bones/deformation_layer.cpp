@@ -11,7 +11,7 @@
 namespace kfast::synfig {
 namespace {
 
-// Pixels by which a curve between two carried points may differ from the one that bends all along.
+// Pixels by which a curve between two deformed points may differ from the one deformed throughout.
 constexpr double bend_tolerance = 0.25;
 constexpr std::size_t max_bones_of_point = 4;
 
@@ -58,7 +58,7 @@ private:
         }
     }
 
-    /// So that the way back to the beginning can bend as well.
+    /// So that the closing segment can bend as well.
     static void close_by_line(scene::Outline& outline)
     {
         const Vec2 last = outline.curves.empty() ? outline.from : outline.curves.back().to;
@@ -78,7 +78,7 @@ private:
         });
     }
 
-    /// How far a curve, carried at its ends alone, is from where its inside should be.
+    /// How far a curve that is deformed at its ends alone is from where its inside should be.
     double bend_error(const scene::Curve& curve, Vec2 from, double frame) const
     {
         const art::Affine begin = carrying(from, frame);
@@ -91,7 +91,7 @@ private:
         return worst;
     }
 
-    /// The mean of what the bones do to a place; nothing where there is none.
+    /// The mean of the bones' matrices at a point; the identity if there is none.
     art::Affine carrying(Vec2 place, double frame) const
     {
         art::Affine total{0, 0, 0, 0, 0, 0};
@@ -132,7 +132,7 @@ private:
             shares.push_back({field_.nearest(spot), 1});
         std::ranges::stable_sort(shares, std::ranges::greater{}, &art::BoneInfluence::weight);
         shares.resize(std::min(shares.size(), max_bones_of_point));
-        // Right on a bone its weight is beyond all measure.
+        // Exactly on a bone its weight is unbounded.
         const double max = shares.front().weight;
         for (art::BoneInfluence& share : shares) {
             share.bone = rig_->place[share.bone];

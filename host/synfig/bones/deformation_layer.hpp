@@ -6,8 +6,8 @@
 
 namespace kfast::synfig {
 
-/// What a skeleton deformation makes of all that lies below it. Where its bones keep their lengths, it
-/// becomes a skeleton that carries the shapes; otherwise their drawings follow it point by point.
+/// Applies a skeleton deformation to all that is below it. If its bones keep their lengths, it becomes a
+/// skeleton that deforms the shapes; otherwise their drawings follow it point by point.
 std::vector<art::Node> deformed(const Layer& layer, std::vector<art::Node> nodes);
 
 }

@@ -24,14 +24,14 @@ bool is_constant(const ValueNode& node)
            std::ranges::all_of(node.links, [](const auto& link) { return is_constant(*link.second); });
 }
 
-/// Whether a switch of a link is as it is without it being named.
+/// Whether a switch of a link has its default value.
 bool is_on(const ValueNode& node, const char* name)
 {
     const ValueNode* link = node.link(name);
     return !link || (link->kind == "constant" && link->constant.truth());
 }
 
-/// The bone that a value is linked to in all respects, or empty. Directions do not go along with its place.
+/// The bone that a value is linked to in all respects, or empty. Directions do not move with its position.
 std::string bone_of(const ValueNode* node, bool is_direction)
 {
     if (!node || node->kind != "bone_link")
@@ -53,7 +53,7 @@ bool is_nothing(const ValueNode* node, Evaluator& evaluator)
     return scene::dot(spot, spot) < 1e-16;
 }
 
-/// The bones of the points of a spline; none where one is not linked so.
+/// The bones of the points of a spline; none if one of them is not linked that way.
 std::vector<std::string> bones_of_points(const Layer& layer)
 {
     const ValueNode* spline = layer.parameter("bline");
@@ -127,7 +127,7 @@ private:
         return frames;
     }
 
-    /// Bones of scenes let nothing grow that hangs on them, nor across themselves.
+    /// Bones of scenes do not scale their descendants, nor anything across themselves.
     bool keep_their_shape(const std::vector<std::string>& tree) const
     {
         std::vector<double> times = bends(tree);

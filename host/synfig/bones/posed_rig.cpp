@@ -10,7 +10,7 @@ namespace kfast::synfig {
 
 namespace {
 
-/// Degrees, counter-clockwise, without jumps: as all the angles that the bone has in the file say.
+/// Degrees, counter-clockwise, without jumps: from all the angles that the bone has in the file.
 double direction_of(const Bone& bone)
 {
     const Vec2 along = bone.to() - bone.from();
@@ -89,7 +89,7 @@ private:
         return bone;
     }
 
-    /// As many as at the beginning: lists of bones may change with time.
+    /// As many as at the beginning: lists of bones may change over time.
     std::vector<BonePair> pairs_at(double frame) const
     {
         auto pairs = bones_.pairs_at(frame);
@@ -104,13 +104,13 @@ private:
         return {0, reading_.frames, bones_.bends, tolerance, &reading_.budget};
     }
 
-    /// Clockwise on the canvas, from rest.
+    /// The rotation from rest, clockwise on the canvas.
     static double turned(const std::vector<BonePair>& pairs, std::size_t index)
     {
         return direction_of(pairs[index].rest) - direction_of(pairs[index].pose);
     }
 
-    /// Of the beginning of a bone, as if its parent had not turned.
+    /// The shift of the beginning of a bone, as if its parent had not rotated.
     Vec2 shift(std::size_t index, double frame) const
     {
         const auto pairs = pairs_at(frame);

@@ -9,20 +9,20 @@
 
 namespace kfast::synfig {
 
-/// A bone at rest, and the one that it is posed as, at a moment.
+/// A bone at rest, and the same bone as posed at one time.
 struct BonePair {
     Bone rest;
     Bone pose;
 };
 
-/// What a skeleton is made of: always as many pairs, and the same bone at rest in each.
+/// What a skeleton is made of: always the same number of pairs, and the same bone at rest in each.
 struct PosedBones {
     std::string name;
     std::function<std::vector<BonePair>(double)> pairs_at; ///< by frames, in units of the file
-    std::vector<double> bends;                             ///< frames at which bones begin to go another way
+    std::vector<double> bends;                             ///< frames at which bones change their motion
 };
 
-/// A skeleton in pixels: set up as the bones rest, posed as they go.
+/// A skeleton in pixels: set up as the bones are at rest, posed as they move.
 struct PosedRig {
     art::Rig rig;
     std::vector<std::size_t> place; ///< of each pair: its index in the rig

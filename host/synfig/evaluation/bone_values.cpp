@@ -5,7 +5,7 @@
 namespace kfast::synfig {
 namespace {
 
-/// The carrying of several bones on average.
+/// The mean matrix of several bones.
 art::Affine mean(const std::vector<Value>& pairs)
 {
     art::Affine total{0, 0, 0, 0, 0, 0};
@@ -58,7 +58,7 @@ Value bone(Evaluator& evaluator, const ValueNode& node, double time)
     const Bone parent = evaluator.bone(bone.parent, time);
     const Vec2 origin = evaluator.spot(node, "origin", time);
     const double angle = evaluator.number(node, "angle", time);
-    // A growth of what hangs on the bone as well; the other one is its own.
+    // This scale applies to descendants of the bone as well; the other one to itself alone.
     const double scale_factor = evaluator.number(node, "scalex", time, 1);
     bone.stretch = evaluator.number(node, "scalelx", time, 1);
     bone.length = std::max(1e-5, evaluator.number(node, "length", time, 1));
@@ -93,7 +93,7 @@ Value bone_link(Evaluator& evaluator, const ValueNode& node, double time)
     if (!evaluator.truth(node, "translate", time, true))
         placement.offset = {};
     if (!evaluator.truth(node, "rotate", time, true))
-        placement.angle = placement.skew = 0; // Synfig 1.5.1 takes the one for the other
+        placement.angle = placement.skew = 0; // Synfig 1.5.1 confuses the two
     if (!evaluator.truth(node, "scale_x", time, true))
         placement.scale.x = 1;
     if (!evaluator.truth(node, "scale_y", time, true))

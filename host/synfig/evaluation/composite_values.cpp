@@ -124,13 +124,13 @@ Value gradient_colour(Evaluator& evaluator, const ValueNode& node, double time)
     return {evaluator.link(node, "gradient", time).as<Gradient>().at(position)};
 }
 
-/// Where its colours lie is not seen of a gradient.
+/// The positions of the colours of a gradient are not visible in its mean.
 Value unturned_gradient(Evaluator& evaluator, const ValueNode& node, double time)
 {
     return evaluator.link(node, "gradient", time);
 }
 
-/// So are stripes: one pair of them has the same mean colour as many.
+/// The same for stripes: one pair of them has the same mean colour as many.
 Value stripes(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const Colour first = evaluator.link(node, "color1", time).as<Colour>();
@@ -205,7 +205,7 @@ Value weighted_average(Evaluator& evaluator, const ValueNode& node, double time)
     return weights == 0 ? total : product(total, 1 / weights);
 }
 
-/// A width point that comes or goes grows out of the line as it is without it.
+/// A width point that comes or goes is blended with the line as it is without it.
 Value width_points(Evaluator& evaluator, const ValueNode& node, double time)
 {
     List settled{{}, node.loop};

@@ -47,7 +47,7 @@ Value timed_swap(Evaluator& evaluator, const ValueNode& node, double time)
     return sum(after, product(difference(before, after), (moment - time) / length));
 }
 
-/// By central differences over an interval, like the roughest of Synfig's.
+/// By central differences over an interval, like the coarsest of Synfig's.
 Value derivative(Evaluator& evaluator, const ValueNode& node, double time)
 {
     const double interval = std::max(1e-6, evaluator.number(node, "interval", time, 0.01));
@@ -58,7 +58,7 @@ Value derivative(Evaluator& evaluator, const ValueNode& node, double time)
     return product(bend, 1 / (interval * interval));
 }
 
-/// Of values that go by another time.
+/// The laws of values that go by another time.
 ValueLaws time_laws()
 {
     return {{"step", step}, {"timeloop", time_loop}, {"timed_swap", timed_swap}, {"derivative", derivative}};
@@ -67,7 +67,7 @@ ValueLaws time_laws()
 constexpr int deepest = 400;
 constexpr std::size_t max_steps = 30'000'000;
 
-// Formulas reach any number; what no canvas needs is cut off, so that all further arithmetic stays finite.
+// Formulas reach any number; what no canvas needs is clamped, so that all further arithmetic stays finite.
 constexpr double largest = 1e12;
 
 double bounded(double value) { return std::isnan(value) ? 0 : std::clamp(value, -largest, largest); }

@@ -12,10 +12,10 @@
 
 namespace kfast::synfig {
 
-/// What there is of value nodes that Evaluator does not know.
+/// What replaces value nodes that Evaluator does not know.
 inline constexpr const char* instead_of_value = "nothing, as if it was 0, or what it starts from";
 
-/// Works out what values are at a time, in seconds.
+/// Evaluates values at a time, in seconds.
 class Evaluator {
 public:
     Evaluator(ValueReader& reader, const XmlFile& file, art::Losses& losses)
@@ -23,15 +23,15 @@ public:
     {
     }
 
-    /// False for value nodes that are worth nothing, or only what they would be without their own doing:
-    /// whoever has such is to tell.
+    /// False for value nodes that evaluate to nothing, or only to what they would be without their own
+    /// effect: the caller is to report them.
     static bool knows(std::string_view kind);
     /// Throws Failure when that takes too many steps. Numbers, places and colours are finite.
     Value at(const ValueNode& node, double time);
     /// The bone of that name at that time; none: the root, where the canvas begins.
     Bone bone(const std::string& guid, double time);
 
-    // What value nodes are made of; for those that stand in other files.
+    // The components of value nodes; for the laws in other files.
     Value link(const ValueNode& node, std::string_view name, double time);
     double number(const ValueNode& node, std::string_view name, double time, double default_value = 0);
     bool truth(const ValueNode& node, std::string_view name, double time, bool default_value = false);
@@ -48,28 +48,28 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// What a value node is at a time, in seconds.
+/// Evaluates a value node at a time, in seconds.
 using ValueLaw = Value (*)(Evaluator&, const ValueNode&, double);
 
-/// Laws by the names of the elements that have them.
+/// The laws, by the names of the elements that have them.
 using ValueLaws = std::vector<std::pair<std::string_view, ValueLaw>>;
 
-/// Of sums, products and other functions of numbers.
+/// The laws of sums, products and other functions of numbers.
 ValueLaws arithmetic_laws();
 
 /// To the nearest whole number, halves up.
 Value rounded(const Value& value);
 
-/// Of bones, and what they carry.
+/// The laws of bones, and what they deform.
 ValueLaws bone_laws();
 
-/// Of values that are put together of others, or taken apart.
+/// The laws of values that are composed of others, or decomposed.
 ValueLaws composite_laws();
 
-/// Of lists, whose entries come and go.
+/// The laws of lists, whose entries come and go.
 ValueLaws list_laws();
 
-/// Of places, directions and widths along splines.
+/// The laws of positions, directions and widths along splines.
 ValueLaws spline_laws();
 
 }

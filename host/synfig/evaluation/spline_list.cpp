@@ -14,7 +14,7 @@ using art::mixed;
 
 Vec2 mixed(Vec2 from, Vec2 to, double share) { return from + share * (to - from); }
 
-/// Turns and grows from one to the other.
+/// Interpolates direction and length from one to the other.
 Vec2 swung(Vec2 from, Vec2 to, double share)
 {
     const double first = std::sqrt(scene::dot(from, from));
@@ -27,7 +27,7 @@ Vec2 swung(Vec2 from, Vec2 to, double share)
             scale_factor * (std::sin(angle) * from.x + std::cos(angle) * from.y)};
 }
 
-/// Axes that go along with two points.
+/// Axes that move with two points.
 class Frame {
 public:
     Frame(Vec2 first, Vec2 second) : middle_{0.5 * (first + second)}
@@ -76,7 +76,7 @@ private:
         return evaluator_.at(*node_.entries[index].value, time).as<SplinePoint>();
     }
 
-    /// The nearest that is more there than `index`; itself where there is none.
+    /// The nearest whose presence is greater than that of `index`; itself if there is none.
     std::size_t neighbour(std::size_t index, bool forward) const
     {
         const std::size_t count = presences_.size();
@@ -128,7 +128,7 @@ private:
         shrinks_next_ = art::mixed(until, 1, amount);
     }
 
-    /// With a shorter tangent towards the point before it, and that one towards it.
+    /// Adds a point, with shorter tangents between it and the point before it.
     void add(SplinePoint point, double shrinks)
     {
         const double factor = shrinks_next_.value_or(shrinks);

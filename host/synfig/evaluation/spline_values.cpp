@@ -11,7 +11,7 @@
 namespace kfast::synfig {
 namespace {
 
-/// A place on a spline: between two of its points.
+/// A position on a spline: between two of its points.
 struct Foot {
     SplinePoint before;
     SplinePoint behind;
@@ -30,7 +30,7 @@ std::vector<Foot> pieces_of(const List& spline)
     return pieces;
 }
 
-/// Where on a piece that share of its length is.
+/// The parameter at a fraction of the length of a piece.
 double share_of_length(const SplinePiece& piece, double share)
 {
     const double aim = share * piece.length();

@@ -10,7 +10,7 @@ namespace kfast::synfig {
 namespace {
 
 constexpr std::size_t max_repeats = 10'000;
-constexpr int deepest = 1200; ///< values, bones that hang on each other included
+constexpr int deepest = 1200; ///< nested values, chains of bones included
 
 double constant(const ValueNode& node, std::string_view name)
 {

@@ -6,13 +6,13 @@
 
 namespace kfast::synfig {
 
-/// Adds the times, in seconds, at which a value begins another way, or may jump: its waypoints, and when
-/// entries of lists come and go. Of values that repeat, those from `from` to `to`.
+/// Adds the times, in seconds, at which a value starts to change differently, or may jump: its waypoints, and
+/// when entries of lists come and go. For values that repeat, those from `from` to `to`.
 class ValueBends {
 public:
     ValueBends(ValueReader& reader, double from, double to) : reader_{reader}, from_{from}, to_{to} {}
 
-    /// Throws Failure where too many values are made of each other.
+    /// Throws Failure if values are nested too deeply.
     void add(const ValueNode& node);
     const std::set<double>& times() const { return times_; }
 

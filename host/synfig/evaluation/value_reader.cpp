@@ -9,7 +9,7 @@ namespace kfast::synfig {
 namespace {
 
 constexpr int deepest_value = 120;
-// Values that are known by an id may lie in each other in any number, though none is read within the other.
+// Values with an id may be nested to any depth, though none is read within another.
 constexpr int deepest_formula = 400;
 
 bool is_list(std::string_view kind)

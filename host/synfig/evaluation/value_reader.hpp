@@ -12,7 +12,7 @@
 
 namespace kfast::synfig {
 
-/// Reads the values of a file: those in place, and those that are named by an id or a guid.
+/// Reads the values of a file: inline ones, and those that are referred to by an id or a guid.
 class ValueReader {
 public:
     ValueReader(const XmlFile& file, double frame_rate, art::Losses& losses)
@@ -20,13 +20,13 @@ public:
     {
     }
 
-    /// Of the element of a value. Throws Failure when values contain themselves, or are damaged.
+    /// Reads the element of a value. Throws Failure when values contain themselves, or are damaged.
     ValueNodePtr read(pugi::xml_node element);
-    /// Of what has a value inside, or names one by its attribute `use`. Nothing with neither.
+    /// Reads the value inside of an element, or the one its attribute `use` names. Nothing with neither.
     ValueNodePtr read_inside(pugi::xml_node holder);
-    /// Of what stands in another file: nothing, which is a loss.
+    /// The value with an id; nothing if it is in another file, which is a loss.
     ValueNodePtr with_id(std::string_view id, std::size_t place);
-    /// Nothing where there is no such bone.
+    /// Nothing if there is no such bone.
     ValueNodePtr bone(std::string_view guid);
 
 private:
@@ -43,7 +43,7 @@ private:
     ConstantReader constants_;
     art::Losses& losses_;
     int depth_ = 0;
-    std::map<std::size_t, ValueNodePtr> known_; ///< by the place of the element
+    std::map<std::size_t, ValueNodePtr> known_; ///< by the offset of the element
     std::set<std::size_t> begun_;
 };
 

@@ -14,7 +14,7 @@ namespace kfast::synfig {
 
 namespace {
 
-// As files number them.
+// The numbers that files have for them.
 constexpr int composite = 0;
 constexpr int straight = 1;
 constexpr int behind = 12;
@@ -27,7 +27,7 @@ Colour by_channels(const Colour& below, const Colour& above, Law law)
             below.alpha};
 }
 
-/// One colour laid onto the other where law() says which, as far as it is opaque.
+/// Blends one colour over another by law(), weighted by its opacity.
 template <typename Law>
 Colour laid_on(const Colour& below, const Colour& above, double amount, Law law)
 {
@@ -107,7 +107,7 @@ Colour overlay(const Colour& below, const Colour& above, double amount)
 struct Method {
     const char* name;
     Tinting tinting = nullptr;
-    /// A tint of what overlaps is the same as that of all together.
+    /// Tinting overlapping shapes one by one is the same as tinting them together.
     bool is_exact = false;
 };
 
@@ -140,10 +140,10 @@ const std::map<int, Method>& methods()
 
 int method_of(const Layer& layer) { return layer.whole("blend_method", 0, composite); }
 
-/// Such layers take away from what lies below, and show nothing of their own.
+/// Such layers erase from what is below, and show nothing of their own.
 bool erases(int method) { return method == 14 || method == 15 || method == 19 || method == 23; }
 
-/// Such layers are drawn where nothing lies below, too.
+/// Such layers are drawn where nothing is below, too.
 bool stands_alone(int method) { return method == straight || method == 22; }
 
 std::string feature(int method)
@@ -189,7 +189,7 @@ Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest)
         layer.lose(feature(method), "painted instead of what lies below, even beyond it");
         return Blending::replacing;
     }
-    // Beyond what lies below it there is nothing of an inverted shape but all of the canvas.
+    // Painted over, an inverted shape would cover all of the canvas, not only what is below it.
     const bool left_out = erases(method) || layer.truth("invert", 0, false);
     layer.lose(feature(method), left_out ? "the layer is left out" : "painted over what lies below");
     return left_out ? Blending::left_out : Blending::normal;

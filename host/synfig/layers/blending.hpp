@@ -8,38 +8,38 @@
 
 namespace kfast::synfig {
 
-/// What becomes of a layer because of its blend method.
+/// How a layer is imported by its blend method.
 enum class Blending {
     normal,
-    behind,    ///< painted below all that lies below it
-    tinting,   ///< changes the colours of all that lies below it, and paints nothing
-    replacing, ///< painted instead of all that lies below it
+    behind,    ///< painted below all that is below it
+    tinting,   ///< changes the colours of all that is below it, and paints nothing
+    replacing, ///< painted instead of all that is below it
     left_out,
 };
 
 /// How far a layer reaches.
 enum class Extent { shape, everywhere };
 
-/// Adds a loss where that is not what the layer asks for. `lies_lowest`: nothing in its canvas is below.
+/// Adds a loss if that is not what the layer asks for. `lies_lowest`: nothing in its canvas is below.
 Blending blending_of(const Layer& layer, Extent extent, bool lies_lowest);
 
-/// Whether a layer is painted the ordinary way.
+/// Whether a layer is painted normally.
 bool is_composite(const Layer& layer);
-/// Such a layer shows nothing of its own.
+/// Whether a layer erases, and shows nothing of its own.
 bool takes_away(const Layer& layer);
 
-/// What a layer that tints makes of a colour when it is all in one colour; opacities stay.
+/// The effect of a tinting layer of one colour on a colour; opacities stay.
 using Tinting = Colour (*)(const Colour& below, const Colour& above, double amount);
-/// Nothing for methods that do not tint.
+/// Null for methods that do not tint.
 Tinting tinting_of(const Layer& layer);
 
-/// What a layer over everything makes of the colours below it. It is all in one colour: a gradient is in its
+/// The effect of a layer over everything on the colours below it. It has one colour: a gradient has its
 /// mean.
 class Tint {
 public:
-    /// Of a layer whose blend method tints.
+    /// For a layer whose blend method tints.
     explicit Tint(const Layer& layer) : layer_{layer}, tinting_{tinting_of(layer)} {}
-    /// Of a group of nothing but such a cover, which blends as the group does.
+    /// For a group of nothing but such a cover, which blends as the group does.
     Tint(const Layer& group, const Layer& cover) : layer_{cover}, group_{group}, tinting_{tinting_of(group)}
     {
     }

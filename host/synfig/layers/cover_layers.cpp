@@ -21,9 +21,9 @@ bool is_gradient(const Layer& layer)
     return layer.type().ends_with("_gradient") || layer.type() == "noise";
 }
 
-/// What is seen of a radial gradient whose rim is transparent.
+/// The visible part of a radial gradient whose rim is transparent.
 struct Glow {
-    double share = 1; ///< of the radius, where half of the opacity is left
+    double share = 1; ///< fraction of the radius at half of the opacity
     Colour colour;
 };
 
@@ -87,7 +87,7 @@ art::Node gradient_node(const Layer& layer)
     return node;
 }
 
-/// Whether a layer draws nothing by itself but changes what lies below it.
+/// Whether a layer draws nothing by itself but changes what is below it.
 bool is_change(const Layer& layer)
 {
     static constexpr std::string_view types[] = {

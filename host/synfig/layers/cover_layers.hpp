@@ -13,17 +13,17 @@ bool is_cover(const Layer& layer);
 /// for layers of other types.
 std::optional<art::Node> read_cover_layer(const Layer& layer);
 
-/// Of a layer in one colour; of a gradient the mean.
+/// The colour of a layer; of a gradient the mean.
 Colour colour_at(const Layer& layer, double frame);
-/// The parameter that colour_at() is of.
+/// The parameter that colour_at() reads.
 const char* colour_name(const Layer& layer);
-/// All of the canvas and as much around it.
+/// All of the canvas with a margin of its size.
 scene::Outline everywhere(const Reading& reading);
 
-/// What there is in a group that draws nothing but covers.
+/// The content of a group that draws nothing but covers.
 struct CoverGroup {
     Layer lowest;
-    bool is_alone = true; ///< nothing else is drawn, or takes away
+    bool is_alone = true; ///< nothing else is drawn, or erases
 };
 
 /// Nothing for groups that draw other things, or nothing at all.

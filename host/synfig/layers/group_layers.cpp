@@ -30,7 +30,7 @@ private:
     std::vector<std::string_view> names_;
 };
 
-/// Of a place in units of the file.
+/// Sets x and y from a point in units of the file.
 void set_place(const Channels& channels, const art::Affine& to_canvas, const Spots& place, art::Channel& x,
                art::Channel& y)
 {
@@ -88,7 +88,7 @@ void set_growth(const Layer& group, const Channels& channels, art::Transform& tr
         },
         scale_tolerance);
     if (is_skewed)
-        // The second axis leans by the skew; here what leans grows along the first axis afterwards.
+        // There the second axis is skewed; here the scale along the first axis follows the skew.
         transform.skew = channels(
             [&](double frame) {
                 const Placement placement = placement_at(group, frame);
@@ -144,7 +144,7 @@ Scope inside_of(const Layer& group)
     Scope scope = group.scope();
     scope.path = group.path();
     ++scope.depth;
-    // Both are called long after this: the layer is kept with them.
+    // Both are called long after this: they keep the layer alive.
     const auto kept = std::make_shared<Layer>(group);
     if (group.has("time_offset") || group.has("time_dilation")) {
         const Driver clock = group.scope().clock;

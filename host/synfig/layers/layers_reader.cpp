@@ -30,7 +30,7 @@ public:
 
     std::vector<art::Node> nodes() { return up_to(elements_.size(), scope_, 0); }
 
-    /// Of a switch, which shows one of them at a time.
+    /// The nodes of a switch, which shows one of them at a time.
     std::vector<art::Node> nodes_of_switch(const Layer& choice)
     {
         std::vector<art::Node> all;
@@ -76,12 +76,12 @@ private:
         return 0;
     }
 
-    /// Of the lowest `count` layers. Those that change all below them take what is below for their own.
+    /// Nodes of the lowest `count` layers. Those that change all below them take that as their content.
     std::vector<art::Node> up_to(std::size_t count, const Scope& scope, int depth)
     {
         art::Budget::check_depth(depth);
         std::vector<art::Node> above;  // the topmost first
-        std::vector<art::Node> lowest; // what is painted behind all the others, the lowest first
+        std::vector<art::Node> lowest; // what is painted below all the others, the lowest first
         std::vector<Tint> tints;       // the uppermost first
         while (count > 0) {
             const Layer layer{elements_[--count], reading_, scope};

@@ -10,7 +10,7 @@
 namespace kfast::synfig {
 namespace {
 
-// In pixels, and as a share: a line whose width changes by less has one width.
+// In pixels, and as a fraction: a line whose width changes by less has one width.
 constexpr double same_width = 1.0 / 16;
 constexpr double same_width_share = 1.0 / 64;
 
@@ -55,7 +55,7 @@ private:
 
     List points(const char* name, double frame) const { return layer_.at(name, frame).as<List>(); }
 
-    /// In pixels, of a point with that width.
+    /// Half of the width in pixels at a point with that width.
     double half_width(double own, double frame) const
     {
         const auto& scale_factor = layer_.scope().line_scale_factor;
@@ -98,7 +98,7 @@ private:
         });
     }
 
-    /// Whether the width points leave no beginning and no end of the line out.
+    /// Whether the width points cover the line from its beginning to its end.
     bool covers_all() const
     {
         const List widths = points("wplist", 0);
@@ -208,7 +208,7 @@ private:
         piece.to = matrix.of(begin + piece.to);
         piece.leaving = direction(piece.leaving);
         piece.arriving = direction(piece.arriving);
-        // Both nothing: an even way.
+        // Both 0: a straight line at constant speed.
         if (scene::dot(piece.leaving, piece.leaving) + scene::dot(piece.arriving, piece.arriving) < 1e-12)
             piece.leaving = piece.arriving = piece.to - piece.from;
         return piece;

@@ -14,9 +14,9 @@ namespace {
 using scene::Curve;
 using scene::Outline;
 
-// Of each piece, on each side.
+// Curves for each piece, on each side.
 constexpr int parts = 4;
-// Synfig's corners reach no further than as many halves of the width.
+// Synfig's corners reach no further than that many half widths.
 constexpr double longest_corner = 2;
 
 Vec2 unit(Vec2 spot)
@@ -26,7 +26,7 @@ Vec2 unit(Vec2 spot)
 }
 Vec2 left_of(Vec2 direction) { return {direction.y, -direction.x}; }
 
-/// Two curves along a circle, from one place on it to another, the shorter way.
+/// Two curves along a circle, from one point on it to another, the shorter way round.
 void add_arc(std::vector<Curve>& curves, Vec2 centre, Vec2 from, Vec2 to, double angle)
 {
     constexpr int halves = 2;
@@ -76,7 +76,7 @@ public:
 private:
     double length(std::size_t piece) const { return begins_[piece + 1] - begins_[piece]; }
 
-    /// The share of a piece at that distance along the line, nearly: as lengths go by shares within it.
+    /// The fraction of a piece at that distance along the line, approximately: by length within it.
     double share_at(std::size_t piece, double distance) const
     {
         const double aim = distance - begins_[piece];
@@ -169,7 +169,7 @@ private:
         curves.push_back(as_cubic(from, tip));
         curves.push_back(as_cubic(tip, to));
     }
-    /// Whether the line goes on behind the piece.
+    /// Whether the line goes on after the piece.
     bool to_end(std::size_t piece) const { return line_.loop || line_.to > begins_[piece + 1]; }
 
     static Curve as_cubic(Vec2 from, Vec2 to)

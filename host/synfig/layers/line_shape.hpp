@@ -22,7 +22,7 @@ struct VaryingLine {
     bool loop = false;
     std::vector<WidthStop> stops; ///< at least one; rising
     double smoothness = 0;        ///< 0: straight from stop to stop; 1: smoothly
-    /// Before a last stop that ends the line Synfig 1.5.1 lets the width dip, by this share of what it is
+    /// Before a last stop that ends the line Synfig 1.5.1 lets the width dip, by this fraction of the width
     /// there.
     double dip = 0;
     double from = 0; ///< along the line; not for loops
@@ -34,8 +34,8 @@ struct VaryingLine {
     double half_width(double distance) const;
 };
 
-/// What the line covers, to be filled by the rule nonzero. Always of the same form for as many pieces, the
-/// same ends and the same corner. Within some 1/100 of the width.
+/// What the line covers, to be filled by the rule nonzero. Always of the same form for the same number of
+/// pieces, ends and corner. Within about 1/100 of the width.
 art::Drawing shape_of(const VaryingLine& line);
 
 }

@@ -40,7 +40,7 @@ art::Drawing region(const Layer& layer, double frame, Vec2 origin)
 art::Drawing circle(const Layer& layer, double frame, Vec2 origin)
 {
     const double radius = std::abs(layer.number("radius", frame, 1));
-    // Clockwise once y points down.
+    // This is clockwise once y points down.
     return {{art::Affine{1, 0, 0, -1, origin.x, origin.y}.of(scene::ellipse({}, radius, radius))}};
 }
 

@@ -14,9 +14,9 @@ std::optional<art::Node> read_shape_layer(const Layer& layer);
 /// The outline along the points of a spline, in the units of the file.
 scene::Outline outline_along(const List& points, Vec2 origin);
 
-/// Colour, opacity and rule of the parameters that all shapes have.
+/// Colour, opacity and fill rule from the parameters that all shapes have.
 art::Fill fill_of(const Layer& layer);
-/// The name, and the opacity that is the parameter "amount".
+/// A node with the name, and the opacity of the parameter "amount".
 art::Node node_of(const Layer& layer);
 /// Whether the parameter "origin" changes, so that a shape is drawn about (0, 0) and moved: both axes have
 /// keys of their own then.

@@ -16,20 +16,20 @@
 
 namespace kfast::synfig {
 
-/// From frames of the scene to seconds of a canvas, which may run faster, later, or again and again.
+/// Maps frames of the scene to seconds of a canvas, which may run faster, later, or repeatedly.
 class Driver {
 public:
-    /// What the time of what is inside is made of that around it, both in seconds.
+    /// The inner time as a function of the outer time, both in seconds.
     struct Gear {
         std::function<double(double)> inside;
-        /// The times around, from the first to the second one, that are the third one inside.
+        /// The outer times, from the first to the second one, that are the third one inside.
         std::function<std::vector<double>(double, double, double)> around;
     };
 
     Driver(double begin, double frame_rate) : begin_{begin}, frame_rate_{frame_rate} {}
 
     double seconds(double frame) const;
-    /// All frames of the scene, up to `last`, that are a time of the canvas.
+    /// All frames of the scene, up to `last`, at which the canvas has that time.
     std::vector<double> frames(double seconds, double last) const;
     Driver with(Gear gear) const;
     bool is_plain() const { return gears_.empty(); } ///< goes with the scene
@@ -40,11 +40,11 @@ private:
     std::vector<Gear> gears_; ///< the outermost first
 };
 
-/// Runs `factor` times as fast, and is `offset` at the time 0. Both may change.
+/// A gear that runs `factor` times as fast, and is at `offset` at the time 0. Both may change.
 Driver::Gear running_gear(std::function<double(double)> factor, std::function<double(double)> offset);
-/// Runs from `inside` on for a duration above 0 or below, again and again, since and before `local`.
+/// A gear that runs from `inside` for a duration above 0 or below, repeatedly, after and before `local`.
 Driver::Gear looping_gear(double inside, double local, double duration, double shift_before);
-/// Is as a value of the file says.
+/// A gear that follows a value of the file.
 Driver::Gear free_gear(std::function<double(double)> time);
 
 /// A tree of bones as a skeleton.
@@ -53,7 +53,7 @@ struct LinkedRig {
     std::map<std::string, std::size_t> bones; ///< guids, and indices into the bones of the rig
 };
 
-/// What reading goes along with, through the whole file.
+/// The context of reading, for the whole file.
 struct Reading {
     const XmlFile& file;
     ValueReader& values;
@@ -69,20 +69,20 @@ struct Reading {
     double frames = 1;
     std::array<double, 3> gamma{1, 1, 1}; ///< of red, green and blue
     std::vector<art::Rig> rigs;
-    /// Of the bones that things are linked to, by the guid of the bone that all of a tree hangs on.
+    /// The rigs of bones that things are linked to, by the guid of the root of the tree.
     std::map<std::string, LinkedRig> linked_rigs;
 };
 
-/// Where layers stand.
+/// The scope of layers.
 struct Scope {
     Driver clock;
     std::string path; ///< names from the outermost: "body / arm"
     int depth = 0;
-    std::function<double(double)> line_scale_factor; ///< by frames; a factor of the width of all lines
+    std::function<double(double)> line_scale_factor; ///< by frames; a factor for the width of all lines
     bool is_deformed = false;                        ///< by a skeleton deformation above
 };
 
-/// A layer of the file, and what its parameters are at frames of the scene.
+/// A layer of the file, and the values of its parameters at frames of the scene.
 class Layer {
 public:
     Layer(pugi::xml_node element, Reading& reading, const Scope& scope);
@@ -107,12 +107,12 @@ public:
     bool truth(std::string_view name, double frame, bool default_value) const;
     Vec2 spot(std::string_view name, double frame, Vec2 default_value = {}) const;
 
-    /// Frames at which one of these parameters begins another way.
+    /// Frames at which one of these parameters starts to change differently.
     std::vector<double> bends(const std::vector<std::string_view>& names) const;
     Tracing tracing(const std::vector<std::string_view>& names, double tolerance) const;
-    /// Opaque red, green and blue as pictures have them, by the gamma of the canvas.
+    /// Opaque red, green and blue as in pictures, by the gamma of the canvas.
     art::Rgb rgb(const Colour& colour) const;
-    Colour colour(const art::Rgb& rgb) const; ///< the other way
+    Colour colour(const art::Rgb& rgb) const; ///< the inverse
     void lose(const std::string& feature, const std::string& instead) const;
     /// Adds a loss for each parameter that is none of these.
     void lose_others(const std::vector<std::string_view>& known) const;
@@ -128,7 +128,7 @@ private:
     std::map<std::string, ValueNodePtr, std::less<>> parameters_;
 };
 
-/// How far a number may be off, in the parts of a scene that are no places.
+/// How far a number may be off, for opacities, positions and angles.
 inline constexpr double opacity_tolerance = 1.0 / 1020;
 inline constexpr double colour_tolerance = 1.0 / 1020;
 inline constexpr double place_tolerance = 1.0 / 128; ///< pixels

@@ -12,10 +12,10 @@ using art::Ease;
 using art::EaseKind;
 using art::Rgb;
 
-// How little beside a bend values are still those of the way before, or already those behind.
+// How near to a bend values are still those before it, or already those after it.
 constexpr double beside = 1.0 / 1024;
 constexpr double shortest_way = 1.0 / 8;
-// The scene language has laws that swing as far as that.
+// The scene language has laws that overshoot as far as that.
 constexpr double lowest_swing = -2;
 constexpr double highest_swing = 3;
 
@@ -71,7 +71,7 @@ void take(art::Budget& budget, const Value&)
     budget.take_keys(1);
 }
 
-/// The cubic ease in time that has these shares of the way at a third and at two thirds of the time.
+/// The cubic ease in time with this progress at a third and at two thirds of the time.
 Ease ease_through(double at_third, double at_two_thirds)
 {
     const double first = at_third - 1.0 / 27;
@@ -79,7 +79,7 @@ Ease ease_through(double at_third, double at_two_thirds)
     return {EaseKind::cubic, 1.0 / 3, 3 * first - 1.5 * second, 2.0 / 3, 3 * second - 1.5 * first};
 }
 
-/// A scene holds but some hundred different laws: those that are nearly the same become one, within twice
+/// A scene holds only some hundred different laws: those that are nearly the same become one, within twice
 /// the tolerance.
 Ease on_grid(Ease ease, double grid)
 {
@@ -116,7 +116,7 @@ public:
 private:
     struct TracedKey {
         art::Key<Value> key;
-        bool ease_is_idle = false; ///< nothing changes on the way from it
+        bool ease_is_idle = false; ///< nothing changes until the next key
     };
 
     std::vector<double> all_bends() const
@@ -139,7 +139,7 @@ private:
                largest_difference(numbers_of(left), numbers_of(right)) <= tracing_.tolerance;
     }
 
-    /// At its bends a value is already what it becomes, but for its form.
+    /// At its bends a value is already what it becomes, except for its form.
     Value beginning(double from) const
     {
         Value at = value_at_(from);
@@ -249,7 +249,7 @@ private:
                  const Ease& ease, double tolerance) const
     {
         const int samples = std::clamp(static_cast<int>(2 * (to - from)), 5, 96);
-        // Beginning in the middle, where what does not fit shows first.
+        // Beginning in the middle, where a misfit shows first.
         for (int i = 0; i < samples; ++i) {
             const double share = std::fmod(0.5 + 0.618034 * i, 1.0);
             const auto here = numbers_of(value_at_(from + share * (to - from)));

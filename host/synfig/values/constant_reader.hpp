@@ -8,25 +8,25 @@
 
 namespace kfast::synfig {
 
-// Seconds. Finite, so that ways from and to them can be computed.
+// Seconds. Finite, so that transitions from and to them can be computed.
 inline constexpr double begin_of_time = -1e7;
 inline constexpr double end_of_time = 1e7;
 
-/// Seconds of a time as files have it: "1s 12f", "2m", "36f", "SOT", "EOT"; a number without a unit counts
-/// frames. Nothing if it is none of these.
+/// The seconds of a time in the notation of files: "1s 12f", "2m", "36f", "SOT", "EOT"; a number without a
+/// unit counts frames. Nothing if it is none of these.
 std::optional<double> time_of(std::string_view text, double frame_rate);
 
-/// Reads what is written out: plain values, and the attributes of others. Throws Failure where they are
+/// Reads constants: plain values, and the attributes of others. Throws Failure where they are
 /// damaged.
 class ConstantReader {
 public:
     ConstantReader(const XmlFile& file, double frame_rate) : file_{file}, frame_rate_{frame_rate} {}
 
-    /// Whether plain values stand behind that name.
+    /// Whether an element of that name is a plain value.
     static bool knows(std::string_view kind);
     static bool is_true(pugi::xml_attribute attribute);
 
-    /// Of the element of a value; nothing if its kind has none that is used.
+    /// Reads the element of a value; nothing if its kind has none that is used.
     Value read(pugi::xml_node element) const;
     double number(pugi::xml_node element, const char* attribute, double default_value) const;
     /// In seconds.

@@ -10,7 +10,7 @@
 
 namespace kfast::synfig {
 
-/// As in the file: linear or not, as the canvas says by its gamma; not limited to 0 to 1.
+/// As in the file: linear or not, depending on the gamma of the canvas; not limited to 0 to 1.
 struct Colour {
     double red = 0;
     double green = 0;
@@ -23,33 +23,33 @@ struct GradientStop {
     Colour colour;
 };
 
-/// Between two stops colours go as Synfig mixes them: what is transparent has no say in the hue.
+/// Between two stops colours are mixed as by Synfig: what is transparent does not affect the hue.
 struct Gradient {
     std::vector<GradientStop> stops; ///< their positions rise; none: black
 
     Colour at(double position) const;
-    /// From 0 to 1, all along; without opacity the hue of the stops.
+    /// The mean from 0 to 1; without opacity the hue of the stops.
     Colour mean() const;
 };
 
 /// A colour with its channels times its opacity.
 Colour weighted(const Colour& colour);
-/// The other way; black where there is no opacity.
+/// The inverse; black where there is no opacity.
 Colour unweighted(const Colour& colour);
 Colour mixed(const Colour& from, const Colour& to, double share);
 
 using scene::Vec2;
 
-/// A point of a spline. The way to the next point leaves along leaving() and arrives along its `arriving`,
+/// A point of a spline. The curve to the next point leaves along leaving() and arrives along its `arriving`,
 /// both three times as long as the arms of a Bézier curve.
 struct SplinePoint {
     Vec2 vertex;
     double width = 1;
-    double origin = 0.5; ///< where between its neighbours it appears and disappears
+    double origin = 0.5; ///< position between its neighbours where it appears and disappears
     bool split_radius = false;
     bool split_angle = false;
     Vec2 arriving;
-    Vec2 second; ///< what of it counts, `split_radius` and `split_angle` say
+    Vec2 second; ///< `split_radius` and `split_angle` say what of it is used
 
     Vec2 leaving() const;
 };
@@ -57,7 +57,7 @@ struct SplinePoint {
 /// How a line goes on beside a width point.
 enum class Side { interpolate, round, square, peak, flat, inner_round, inner_peak };
 
-/// Of an outline: how wide it is at a share of its length, and how it ends there on either side.
+/// Of an outline: how wide it is at a fraction of its length, and how it ends there on either side.
 struct WidthPoint {
     double position = 0;
     double width = 1;
@@ -65,25 +65,25 @@ struct WidthPoint {
     Side after = Side::interpolate;
 };
 
-/// What a group does to its content, and what some values are moved by: grows and leans, turns, moves.
+/// What a group does to its content, and what some values are moved by: scale and skew, rotation, move.
 struct Placement {
     Vec2 offset;
     double angle = 0; ///< degrees, counter-clockwise
-    double skew = 0;  ///< degrees that the second axis is turned away from being square to the first
+    double skew = 0;  ///< degrees by which the second axis is off the perpendicular to the first
     Vec2 scale{1, 1};
 
     art::Affine matrix() const;
     static Placement of(const art::Affine& matrix);
 };
 
-/// A bone at a moment, in the coordinates of its canvas, y up.
+/// A bone at one time, in the coordinates of its canvas, y up.
 struct Bone {
     std::string name;
     std::string guid;
     std::string parent; ///< guid, or empty
     art::Affine matrix; ///< from its own coordinates, without its own stretch
-    double angle = 0;   ///< degrees, of itself and all it hangs on
-    double stretch = 1; ///< of itself, not of what hangs on it
+    double angle = 0;   ///< degrees, of itself and all its ancestors
+    double stretch = 1; ///< of itself, not of its descendants
     double length = 1;
     double width = 0.1;     ///< how far it reaches to either side where it begins
     double tip_width = 0.1; ///< and where it ends
@@ -91,7 +91,7 @@ struct Bone {
 
     Vec2 from() const { return {matrix.e, matrix.f}; }
     Vec2 to() const;
-    /// What points do that are linked to the bone.
+    /// The matrix of points that are linked to the bone.
     art::Affine carrying() const;
 };
 
@@ -107,13 +107,13 @@ struct List {
     bool loop = false;
 };
 
-/// What a value node is at a moment. Numbers are reals, integers, angles in degrees, and times in seconds.
+/// What a value node is at one time. Numbers are reals, integers, angles in degrees, and times in seconds.
 struct Value {
     std::variant<std::monostate, bool, double, Vec2, Colour, Gradient, std::string, SplinePoint, WidthPoint,
                  Placement, Bone, BoneName, List>
         held;
 
-    /// What is held, or a default where something else is.
+    /// The value of that type, or a default if it has another type.
     template <typename Held>
     Held as(Held default_value = {}) const
     {
@@ -124,16 +124,16 @@ struct Value {
     bool truth(bool default_value = false) const;
 };
 
-/// As files number them; Side::flat for numbers that are none.
+/// By the number that files have for it; Side::flat for unknown numbers.
 Side side_of(double number);
 
-/// Of numbers, places and colours; of other values the first.
+/// The sum of numbers, points and colours; for other values the first.
 Value sum(const Value& left, const Value& right);
 Value difference(const Value& left, const Value& right);
 Value product(const Value& value, double factor);
 
-/// Of a list of width points, sorted or not: the width in between, straight from one to the next;
-/// `default_value` where there is none.
+/// The width in between a list of width points, sorted or not, linear from one to the next; `default_value`
+/// if there are none.
 double width_at(const List& points, double position, double default_value);
 
 }

@@ -50,7 +50,7 @@ Value value_like(const Value& example, const Numbers& numbers)
     return {numbers[0]};
 }
 
-/// Three values and their times; the tangent at the middle one does not lead beyond the others.
+/// Three values and their times; the tangent at the middle one does not overshoot the others.
 double clamped_tangent(double before, double here, double after, double time_before, double time,
                        double time_after)
 {
@@ -64,7 +64,7 @@ double clamped_tangent(double before, double here, double after, double time_bef
     return (here - before) * (1 + bias) / 2 + (after - here) * (1 - bias) / 2;
 }
 
-/// The tangents of one number, for the whole way from a waypoint to the next.
+/// The tangents of one number, for the whole interval from a waypoint to the next.
 class Tangents {
 public:
     Tangents(const std::vector<Waypoint>& waypoints, std::size_t number) : points_{waypoints}, number_{number}

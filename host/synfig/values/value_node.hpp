@@ -29,7 +29,7 @@ struct Waypoint {
     double temporal_tension = 0;
 };
 
-/// From when on an entry of a list is there, or is not.
+/// The time from which on an entry of a list is present, or absent.
 struct Switching {
     double time = 0; ///< seconds
     bool on = true;
@@ -37,10 +37,10 @@ struct Switching {
 
 struct Entry {
     ValueNodePtr value;
-    std::vector<Switching> switchings; ///< in the order of their times; none: always there
+    std::vector<Switching> switchings; ///< in the order of their times; none: always present
 };
 
-/// A formula of the file: a constant, an animation, or something made of others.
+/// A formula of the file: a constant, an animation, or something composed of others.
 struct ValueNode {
     std::string kind;      ///< the name of its element; "constant" for those of plain types
     std::string type;      ///< of its value: "real", "vector" ...
@@ -50,12 +50,12 @@ struct ValueNode {
     std::vector<Waypoint> waypoints; ///< of "animated", in the order of their times
     std::vector<Entry> entries;      ///< of lists
     bool loop = false;
-    /// Kinds that cannot be worked out, or not as Synfig does, of itself and of all that it is made of but
-    /// bones: a few of them.
+    /// Kinds that cannot be evaluated, or not as Synfig does, in itself and in all that it is composed of
+    /// except bones: a few of them.
     std::set<std::string> unknown;
-    int depth = 0; ///< nodes below each other that it is made of, itself not counted
+    int depth = 0; ///< nesting depth of the nodes below it, itself not counted
 
-    /// Nothing where there is no such link.
+    /// Null if there is no such link.
     const ValueNode* link(std::string_view name) const
     {
         for (const auto& [own, node] : links)
@@ -65,24 +65,24 @@ struct ValueNode {
     }
 };
 
-/// How far an entry of a list is there.
+/// How far an entry of a list is present.
 struct Presence {
     double amount = 1;  ///< 0 to 1
-    double on_time = 0; ///< between the two: when it is all there, and when not at all; in seconds
+    double on_time = 0; ///< in between: when it is fully present, and when absent; in seconds
     double off_time = 0;
 };
 
 Presence presence_at(const Entry& entry, double time);
 
-/// Whether values of that type go smoothly from waypoint to waypoint; others jump.
+/// Whether values of that type change smoothly between waypoints; others jump.
 bool goes_smoothly(const Value& value);
 
-/// On the way from one waypoint to the next, both of them constants: the share of the time is 0 to 1.
-/// Between waypoints values go along cubic Hermite curves; the tangents at a waypoint follow from its
-/// interpolations, its neighbours and how far away they are.
+/// The value between one waypoint and the next, both of them constants: `time` is between theirs. Between
+/// waypoints values follow cubic Hermite curves; the tangents at a waypoint follow from its interpolations,
+/// its neighbours and how far away they are.
 Value value_on_way(const std::vector<Waypoint>& waypoints, std::size_t index, double time);
 
-/// The share of the way after that of the time, as the temporal tensions of both waypoints have it.
+/// The progress for a fraction of the time, by the temporal tensions of both waypoints.
 double warped_share(const Waypoint& from, const Waypoint& to, double share);
 
 }

@@ -11,22 +11,22 @@
 
 namespace kfast::synfig {
 
-/// The elements of a file, and where those are that others name.
+/// The elements of a file, with an index of those that others refer to.
 class XmlFile {
 public:
     /// Throws Failure when the text is no XML, or nests too deeply.
     explicit XmlFile(const SourceText& source);
 
     pugi::xml_node root() const { return document_.document_element(); }
-    /// "other.sif#:legs": such values and canvases are not there.
+    /// "other.sif#:legs": such values and canvases are not available.
     static bool is_of_another_file(std::string_view id);
-    /// Nothing where no element has that id. Only the last part of a path of ids counts: ":legs:left".
+    /// Nothing if no element has that id. Only the last part of a path of ids counts: ":legs:left".
     pugi::xml_node value_with_id(std::string_view id) const;
     pugi::xml_node canvas_with_id(std::string_view id) const;
     /// The element with that guid that has content.
     pugi::xml_node with_guid(std::string_view guid) const;
 
-    /// Of all elements <bone> that have content.
+    /// The guids of all elements <bone> that have content.
     std::vector<std::string> bones() const;
 
     /// The first child that is an element, or nothing.
