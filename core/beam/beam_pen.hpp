@@ -2,8 +2,8 @@
 
 #include "core/beam/beam_lines.hpp"
 #include "core/beam/beam_profile.hpp"
-#include "core/math/point.hpp"
 #include "core/math/flatten.hpp"
+#include "core/math/point.hpp"
 #include "core/math/projection.hpp"
 #include "core/pixel/paint_style.hpp"
 

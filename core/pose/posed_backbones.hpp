@@ -2,8 +2,8 @@
 
 #include "core/bytes/function_ref.hpp"
 #include "core/pose/tween_cache.hpp"
-#include "core/scene/skeleton_view.hpp"
 #include "core/scene/packed_drawing.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/time/track.hpp"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/scene/track_view.hpp"
 #include "core/scene/scene_view.hpp"
-#include "core/time/track.hpp"
+#include "core/scene/track_view.hpp"
 #include "core/time/time.hpp"
+#include "core/time/track.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -2,11 +2,11 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/pixel/paint_style.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "core/scene/skeleton_view.hpp"
 #include "core/scene/track_view.hpp"
-#include "core/scene/packed_drawing.hpp"
-#include "core/time/track.hpp"
 #include "core/time/time.hpp"
+#include "core/time/track.hpp"
 
 #include <cstdint>
 

@@ -2,8 +2,8 @@
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/link/remote_device.hpp"
-#include "host/link/session.hpp"
 #include "host/link/scene_upload.hpp"
+#include "host/link/session.hpp"
 #include "host/text/characters.hpp"
 
 #include <charconv>

@@ -8,9 +8,9 @@
 #include "host/import/loss_list.hpp"
 #include "host/program/failure.hpp"
 #include "host/scene/font/font_files.hpp"
+#include "host/text/characters.hpp"
 #include "host/text/number_text.hpp"
 #include "host/text/reported_diagnostics.hpp"
-#include "host/text/characters.hpp"
 
 #include <algorithm>
 #include <span>

@@ -8,8 +8,8 @@
 #include "host/file/input_file.hpp"
 #include "host/flash/uf2.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 #include "host/text/reported_diagnostics.hpp"
 #include "host/text/suggestion.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/fit/beam_fit.hpp"
 
-#include "host/fit/scene_run.hpp"
 #include "host/fit/cost_table.hpp"
+#include "host/fit/scene_run.hpp"
 #include "host/fit/speed.hpp"
 #include "host/fit/wording.hpp"
 #include "host/text/number_text.hpp"

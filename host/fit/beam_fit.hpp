@@ -2,8 +2,8 @@
 
 #include "core/beam/beam_player.hpp"
 #include "core/scene/scene_view.hpp"
-#include "host/fit/speed.hpp"
 #include "host/fit/scene_needs.hpp"
+#include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
 #include "host/program/progress_callback.hpp"
 

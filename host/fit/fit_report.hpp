@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/fit/speed.hpp"
 #include "host/fit/scene_needs.hpp"
+#include "host/fit/speed.hpp"
 #include "host/fit/target.hpp"
 #include "host/program/progress_callback.hpp"
 

@@ -3,16 +3,16 @@
 #include "host/archive/archive.hpp"
 #include "host/art/prepare/prepare.hpp"
 #include "host/file/input_file.hpp"
-#include "host/import/extent.hpp"
 #include "host/import/content_kind.hpp"
 #include "host/import/dot_lottie.hpp"
+#include "host/import/extent.hpp"
 #include "host/lottie/read_lottie.hpp"
 #include "host/program/failure.hpp"
 #include "host/scene_text/scene_text.hpp"
 #include "host/svg/read_svg.hpp"
 #include "host/synfig/read_synfig.hpp"
-#include "host/text/source.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/source.hpp"
 
 #include <algorithm>
 #include <utility>

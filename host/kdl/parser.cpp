@@ -1,7 +1,7 @@
 #include "host/kdl/parser.hpp"
 
-#include "host/kdl/scanner.hpp"
 #include "host/kdl/scalar.hpp"
+#include "host/kdl/scanner.hpp"
 #include "host/text/characters.hpp"
 
 #include <algorithm>

@@ -2,11 +2,11 @@
 
 #include "core/math/point.hpp"
 #include "core/pixel/paint_style.hpp"
-#include "core/scene/skeleton_view.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/property.hpp"
-#include "core/time/velocity_law.hpp"
+#include "core/scene/skeleton_view.hpp"
 #include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 #include "host/geometry/drawing.hpp"
 #include "host/geometry/outline.hpp"
 #include "host/text/source.hpp"

@@ -2,8 +2,8 @@
 
 #include "host/scene/context/limits.hpp"
 #include "host/scene/context/scene_context.hpp"
-#include "host/scene/items/item_reader.hpp"
 #include "host/scene/items/input_reader.hpp"
+#include "host/scene/items/item_reader.hpp"
 #include "host/scene/items/object_properties.hpp"
 #include "host/scene/items/object_reader.hpp"
 #include "host/scene/items/symbol_reader.hpp"
@@ -14,9 +14,9 @@
 #include "host/scene/values/canvas_reader.hpp"
 #include "host/scene/values/clips_and_events.hpp"
 #include "host/scene/values/value_reader.hpp"
-#include "host/schema/report.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
+#include "host/schema/report.hpp"
 #include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 

@@ -1,7 +1,7 @@
 #include "host/text/diagnostic.hpp"
 
-#include "host/text/source.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/source.hpp"
 
 #include <algorithm>
 #include <utility>

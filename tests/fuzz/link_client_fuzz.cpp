@@ -4,8 +4,8 @@
 #include "firmware/link/upload_message.hpp"
 #include "host/link/live_feed.hpp"
 #include "host/link/remote_device.hpp"
-#include "host/link/scene_upload.hpp"
 #include "host/link/report_pipe.hpp"
+#include "host/link/scene_upload.hpp"
 #include "host/program/failure.hpp"
 #include "tests/fuzz/demand.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "core/bytes/op_counter.hpp"
 #include "core/raster/outline/chain.hpp"
-#include "core/raster/outline/simplify.hpp"
 #include "core/raster/outline/grid.hpp"
+#include "core/raster/outline/simplify.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,12 +1,12 @@
 #include "host/art/prepare/prepare.hpp"
 
 #include "host/art/budget.hpp"
-#include "host/art/document/extent.hpp"
 #include "host/art/document/document.hpp"
+#include "host/art/document/extent.hpp"
 #include "host/art/document/value_distance.hpp"
 #include "host/art/geometry/curves.hpp"
-#include "host/art/prepare/tween_turn.hpp"
 #include "host/art/prepare/fewer_keys.hpp"
+#include "host/art/prepare/tween_turn.hpp"
 
 #include <algorithm>
 #include <initializer_list>

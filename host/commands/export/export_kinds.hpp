@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/beam/beam_profile.hpp"
-#include "host/commands/options/play_options.hpp"
 #include "host/commands/options/beam_options.hpp"
+#include "host/commands/options/play_options.hpp"
 #include "host/commands/render/picture_options.hpp"
 
 #include <filesystem>

@@ -7,8 +7,8 @@
 #include "host/config/firmware_images.hpp"
 #include "host/config/setting_words.hpp"
 #include "host/fit/beam_fit.hpp"
-#include "host/fit/fit_report.hpp"
 #include "host/fit/board_choice.hpp"
+#include "host/fit/fit_report.hpp"
 #include "host/program/failure.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "host/commands/text/json_text.hpp"
 #include "host/commands/text/quantity_text.hpp"
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 

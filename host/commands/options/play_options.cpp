@@ -1,8 +1,8 @@
 #include "host/commands/options/play_options.hpp"
 
 #include "host/commands/options/option_groups.hpp"
-#include "host/commands/text/summary.hpp"
 #include "host/commands/text/quantity_text.hpp"
+#include "host/commands/text/summary.hpp"
 #include "host/text/suggestion.hpp"
 
 #include <string_view>

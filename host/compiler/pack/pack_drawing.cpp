@@ -75,7 +75,8 @@ bool is_closed(const Steps& steps)
 bool is_turned(const Steps& steps)
 {
     const auto half = steps.begin() + std::ssize(steps) / 2;
-    return steps.size() % 2 == 0 && Steps{half, steps.end()} == mirrored(Steps{steps.begin(), half}, true, true);
+    return steps.size() % 2 == 0 &&
+           Steps{half, steps.end()} == mirrored(Steps{steps.begin(), half}, true, true);
 }
 
 Delta predicted_end(Delta out, Delta in)

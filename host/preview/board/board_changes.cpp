@@ -1,8 +1,8 @@
 #include "host/preview/board/board_changes.hpp"
 
 #include "host/fit/frame_cost.hpp"
-#include "host/fit/scene_needs.hpp"
 #include "host/fit/op_counts.hpp"
+#include "host/fit/scene_needs.hpp"
 #include "host/text/number_text.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include "host/preview/files/written_files.hpp"
 #include "host/preview/viewer/viewer_selection.hpp"
 #include "host/program/failure.hpp"
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <sstream>

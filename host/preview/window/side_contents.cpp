@@ -1,7 +1,7 @@
 #include "host/preview/window/side_contents.hpp"
 
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
-#include "host/text/number_text.hpp"
 #include "host/text/characters.hpp"
+#include "host/text/number_text.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>

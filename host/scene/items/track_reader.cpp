@@ -1,9 +1,9 @@
 #include "host/scene/items/track_reader.hpp"
 
 #include "host/scene/values/geometry_reader.hpp"
+#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/law_reader.hpp"
 #include "host/scene/values/timed_quantity.hpp"
-#include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"

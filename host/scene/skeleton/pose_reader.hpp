@@ -6,8 +6,8 @@
 #include "host/scene/model.hpp"
 #include "host/scene/values/key_driver.hpp"
 #include "host/scene/values/law_reader.hpp"
-#include "host/schema/report.hpp"
 #include "host/schema/node_form.hpp"
+#include "host/schema/report.hpp"
 
 #include <cstddef>
 #include <optional>

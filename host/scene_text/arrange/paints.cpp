@@ -1,7 +1,7 @@
 #include "host/scene_text/arrange/passes.hpp"
 
-#include "host/scene_text/values/writing.hpp"
 #include "host/scene_text/values/sums.hpp"
+#include "host/scene_text/values/writing.hpp"
 
 #include <algorithm>
 #include <map>

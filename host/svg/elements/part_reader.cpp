@@ -2,9 +2,9 @@
 
 #include "host/geometry/shape.hpp"
 #include "host/program/failure.hpp"
-#include "host/svg/elements/unread_element.hpp"
 #include "host/svg/elements/element_outlines.hpp"
 #include "host/svg/elements/style_reader.hpp"
+#include "host/svg/elements/unread_element.hpp"
 #include "host/svg/markup/length.hpp"
 #include "host/svg/markup/svg_text.hpp"
 #include "host/svg/markup/transform_list.hpp"

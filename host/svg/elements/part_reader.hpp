@@ -2,8 +2,8 @@
 
 #include "host/art/budget.hpp"
 #include "host/art/losses.hpp"
-#include "host/svg/markup/svg_text.hpp"
 #include "host/svg/markup/length.hpp"
+#include "host/svg/markup/svg_text.hpp"
 #include "host/svg/parts/part.hpp"
 #include "host/svg/style/style.hpp"
 

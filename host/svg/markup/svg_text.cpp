@@ -91,7 +91,7 @@ void resolve_namespaces(pugi::xml_document& document)
 }
 
 constexpr std::size_t longest_text = std::size_t{1} << 26; ///< bytes, with entities put in
-constexpr std::size_t max_entity_name = 256;                  ///< of an entity
+constexpr std::size_t max_entity_name = 256;               ///< of an entity
 
 using Entities = std::map<std::string, std::string, std::less<>>;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/time/velocity_law.hpp"
 #include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 #include "tests/host/compiler/dice.hpp"
 
 namespace kfast::test {

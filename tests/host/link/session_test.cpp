@@ -1,5 +1,5 @@
-#include "host/link/session.hpp"
 #include "host/link/remote_device.hpp"
+#include "host/link/session.hpp"
 #include "host/program/interruption.hpp"
 #include "tests/host/link/device_pipe.hpp"
 #include "tests/host/link/scripted_pipe.hpp"

@@ -1,6 +1,6 @@
+#include "host/preview/headless.hpp"
 #include "host/preview/painter/raster_painter.hpp"
 #include "host/preview/panes/theme.hpp"
-#include "host/preview/headless.hpp"
 #include "tests/host/preview/window_of_halves.hpp"
 
 #include <algorithm>
