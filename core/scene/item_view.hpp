@@ -2,11 +2,11 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/pixel/paint_style.hpp"
+#include "core/scene/packed_drawing.hpp"
 #include "core/scene/skeleton_view.hpp"
 #include "core/scene/track_view.hpp"
-#include "core/scene/packed_drawing.hpp"
-#include "core/time/track.hpp"
 #include "core/time/time.hpp"
+#include "core/time/track.hpp"
 
 #include <cstdint>
 
@@ -101,9 +101,6 @@ struct ObjectView {
 };
 
 enum class ItemKind : std::uint8_t { object, group, use, live };
-
-/// In the place of an InputLeaf: the item is an object that is a wire frame.
-inline constexpr std::uint32_t wire_kind = 2;
 
 /// What a live item shows.
 enum class InputLeaf : std::uint8_t {
