@@ -1,6 +1,7 @@
 #include "core/bytes/crc32.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/scene/check/scene_check.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/scene/track_view.hpp"
@@ -12,21 +13,11 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t magic = 'K' | 'F' << 8 | 'B' << 16;
-constexpr std::size_t checksum_end = 8; ///< the checksum covers everything after itself
-
-constexpr std::uint32_t loop_bits = 3;
-constexpr std::uint32_t camera_bit = 1 << 2;
-constexpr std::uint32_t opacity_bit = 1 << 3;
-constexpr std::uint32_t marks_bit = 1 << 4;
-constexpr std::uint32_t bones_bit = 1 << 5;
-constexpr std::uint32_t symbols_bit = 1 << 6;
-constexpr std::uint32_t inputs_bit = 1 << 7;
-
 /// Beyond the format's limit it stays beyond it.
 std::uint32_t read_words(ByteReader& bytes, std::uint32_t max_bytes)
 {
-    return 4 * std::min(bytes.varint(), max_bytes / 4 + 1);
+    constexpr std::uint32_t unit = kfb::header::memory_unit;
+    return unit * std::min(bytes.varint(), max_bytes / unit + 1);
 }
 
 int read_side(ByteReader& bytes)
@@ -56,15 +47,15 @@ ByteReader take_block(ByteReader& bytes) { return bytes.take(bytes.varint()); }
     const std::uint32_t tag = reader.u32();
     const std::uint32_t checksum = reader.u32();
     const std::size_t body = reader.varint();
-    if (bytes.size() >= 3 && (tag & 0xFFFFFF) != magic)
+    if (bytes.size() >= 3 && kfb::tag::magic.get(tag) != kfb::tag::magic_value)
         return Error::bad_magic;
-    if (bytes.size() >= 4 && tag >> 24 != kfb::version)
+    if (bytes.size() >= 4 && kfb::tag::version.get(tag) != kfb::version)
         return Error::unsupported_version;
     if (reader.overrun() || reader.left() < body)
         return Error::truncated;
     size_ = bytes.size() - reader.left() + body;
     Crc32 crc;
-    crc.add(bytes.first(size_).subspan(checksum_end));
+    crc.add(bytes.first(size_).subspan(kfb::header::checksum_end));
     if (crc.value() != checksum)
         return Error::bad_checksum;
     if (!read_sections(reader.take(body)))
@@ -121,30 +112,31 @@ template <std::size_t symbols>
     borders_ = std::min(reader.varint(), kfb::max_borders + 1);
     cache_bytes_ = read_words(reader, kfb::max_cache_bytes);
     const std::uint32_t head = reader.u8();
-    loop_ = static_cast<Loop>(head & loop_bits);
+    loop_ = static_cast<Loop>(kfb::header::loop.get(head));
     length_ = read_time_code(reader);
     frame_rate_ = rate_of(reader.varint());
     canvas_.width = read_side(reader);
     canvas_.height = read_side(reader);
-    camera_ = (head & camera_bit) != 0 ? static_cast<std::int32_t>(reader.varint()) : default_camera(canvas_);
+    camera_ = kfb::header::has_camera.get(head) ? static_cast<std::int32_t>(reader.varint())
+                                                : default_camera(canvas_);
     const std::size_t colours = reader.u8();
-    colour_bytes_ = (head & opacity_bit) != 0 ? 4 : 3;
+    colour_bytes_ = kfb::header::has_opacity.get(head) ? 4 : 3;
     palette_ = reader.take(colours * colour_bytes_).rest();
     law_count_ = reader.u8();
     laws_ = reader;
     for (std::uint32_t pair = 0; pair < law_count_; ++pair)
         read_law_pair(reader);
-    if ((head & inputs_bit) != 0) {
+    if (kfb::header::has_inputs.get(head)) {
         input_count_ = reader.u8();
         inputs_ = take_block(reader);
         if (input_count_ == 0)
             return false; // then the header says that there are none
     }
-    if ((head & marks_bit) != 0)
+    if (kfb::header::has_marks.get(head))
         marks_ = take_block(reader);
-    if ((head & bones_bit) != 0)
+    if (kfb::header::has_bones.get(head))
         bones_ = take_block(reader);
-    if ((head & symbols_bit) != 0) {
+    if (kfb::header::has_symbols.get(head)) {
         symbol_count_ = reader.u8();
         symbols_ = take_block(reader);
     }

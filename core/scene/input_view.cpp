@@ -3,6 +3,7 @@
 #include "core/bytes/byte_reader.hpp"
 #include "core/bytes/code_point.hpp"
 #include "core/math/fixed.hpp"
+#include "core/scene/format.hpp"
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ GlyphSet GlyphSet::take(ByteReader& bytes)
     GlyphSet set;
     set.count_ = bytes.u8();
     const std::size_t stretches = bytes.u8();
-    set.stretches_ = bytes.take(4 * stretches).rest();
+    set.stretches_ = bytes.take(kfb::glyph_range::bytes * stretches).rest();
     return set;
 }
 
@@ -64,8 +65,8 @@ bool GlyphSet::is_valid() const
 
 GlyphSet::Stretch GlyphSet::stretch(std::uint32_t number) const
 {
-    const std::uint32_t both = ByteReader{stretches_.subspan(std::size_t{4} * number)}.u32();
-    return {both & 0xFF, static_cast<char32_t>(both >> 8)};
+    const std::uint32_t both = ByteReader{stretches_.subspan(kfb::glyph_range::bytes * number)}.u32();
+    return {kfb::glyph_range::glyph.get(both), static_cast<char32_t>(kfb::glyph_range::character.get(both))};
 }
 
 std::uint32_t GlyphSet::end_of(std::uint32_t number) const
@@ -141,7 +142,7 @@ LabelView LabelView::of(ByteReader bytes)
     label.drawings = PackedValues::take(bytes, label.glyph_count);
     label.advances = PackedValues::take(bytes, label.glyph_count);
     const std::size_t pairs = bytes.u16();
-    label.pairs = bytes.take(2 * pairs).rest();
+    label.pairs = bytes.take(kfb::kerning::bytes * pairs).rest();
     if (pairs != 0)
         label.kerning = PackedValues::take(bytes, label.pair_count());
     label.is_whole = !bytes.overrun() && bytes.left() == 0;
@@ -150,12 +151,12 @@ LabelView LabelView::of(ByteReader bytes)
 
 std::uint32_t LabelView::pair_code(std::uint32_t number) const
 {
-    return ByteReader{pairs.subspan(std::size_t{2} * number)}.u16();
+    return ByteReader{pairs.subspan(kfb::kerning::bytes * number)}.u16();
 }
 
 std::int32_t LabelView::kerning_between(std::uint32_t left, std::uint32_t right) const
 {
-    const std::uint32_t code = left << 8 | right;
+    const std::uint32_t code = kfb::kerning::left.put(left) | kfb::kerning::right.put(right);
     std::uint32_t low = 0; // pairs before it come before `code`
     for (std::uint32_t high = pair_count(); low < high;) {
         const std::uint32_t middle = (low + high) / 2;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/time/time.hpp"
 
@@ -36,7 +37,10 @@ private:
         char32_t character;  ///< the first
     };
 
-    std::uint32_t stretches() const { return static_cast<std::uint32_t>(stretches_.size() / 4); }
+    std::uint32_t stretches() const
+    {
+        return static_cast<std::uint32_t>(stretches_.size() / kfb::glyph_range::bytes);
+    }
     Stretch stretch(std::uint32_t number) const;
     /// The number of the glyph behind those of a stretch.
     std::uint32_t end_of(std::uint32_t number) const;
@@ -121,7 +125,10 @@ struct LabelView {
     /// `bytes` are those of one label.
     static LabelView of(ByteReader bytes);
 
-    std::uint32_t pair_count() const { return static_cast<std::uint32_t>(pairs.size() / 2); }
+    std::uint32_t pair_count() const
+    {
+        return static_cast<std::uint32_t>(pairs.size() / kfb::kerning::bytes);
+    }
     /// The two glyphs of a pair as one number, by which pairs are ordered: 256 x the left one + the right
     /// one.
     std::uint32_t pair_code(std::uint32_t number) const;

@@ -1,5 +1,6 @@
 #include "core/scene/item_view.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 #include <algorithm>
@@ -7,19 +8,11 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t kind_bits = 3;
-constexpr std::uint32_t tracks_bit = 1 << 2;
-constexpr std::uint32_t filled_bit = 1 << 3;
-constexpr std::uint32_t stroked_bit = 1 << 4;
-constexpr std::uint32_t even_odd_bit = 1 << 5;
-constexpr std::uint32_t arrivals_bit = 1 << 6;
-constexpr std::uint32_t deformed_bit = 1 << 7;
-constexpr std::uint32_t beam_bit = 1 << 7; ///< beside the number of tracks
-
 bool is_known(std::uint32_t head, ItemKind kind)
 {
-    const std::uint32_t style_bits = filled_bit | stroked_bit | even_odd_bit;
-    const std::uint32_t key_bits = arrivals_bit | deformed_bit;
+    constexpr std::uint32_t style_bits =
+        kfb::item::is_filled.mask() | kfb::item::is_stroked.mask() | kfb::item::is_even_odd.mask();
+    constexpr std::uint32_t key_bits = kfb::item::has_arrivals.mask() | kfb::item::is_carried.mask();
     switch (kind) {
     case ItemKind::object:
         return true;
@@ -45,15 +38,14 @@ BeamStyle take_beam_style(ByteReader& bytes)
 void take_tracks(ByteReader& bytes, ItemView& item)
 {
     const std::uint32_t head = bytes.u8();
-    const std::uint32_t count = head & ~beam_bit;
-    item.tracks = TrackCursor{bytes, count};
+    item.tracks = TrackCursor{bytes, head & ~kfb::tracks::has_beam_style.mask()};
     item.is_known = item.is_known && head != 0;
     bool has_path = false;
     TrackCursor cursor = item.tracks;
     while (!cursor.at_end())
         has_path = cursor.next().property == Property::along || has_path;
     bytes = cursor.rest();
-    if ((head & beam_bit) != 0) {
+    if (kfb::tracks::has_beam_style.get(head)) {
         item.is_known = item.is_known && item.is_leaf();
         item.beam = take_beam_style(bytes);
     }
@@ -66,8 +58,8 @@ void take_tracks(ByteReader& bytes, ItemView& item)
 void read_deformer(ByteReader& bytes, ObjectView& object)
 {
     const std::uint32_t number = bytes.u8();
-    object.deformer = number == 0 ? Deformer::backbones : Deformer::bones;
-    if (number != 0) {
+    object.deformer = number == kfb::item::by_backbones ? Deformer::backbones : Deformer::bones;
+    if (number != kfb::item::by_backbones) {
         object.skeleton = number - 1;
     } else {
         object.backbones.unit_bits = bytes.u8();
@@ -81,8 +73,9 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
     style.stroke = static_cast<std::uint8_t>(bytes.u8());
     style.width = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
     const std::uint32_t ends = bytes.u8();
-    style.cap = static_cast<Cap>(ends & 3);
-    style.join = static_cast<Join>(ends >> 2); // with the bits that must be 0: parse() refuses the rest
+    style.cap = static_cast<Cap>(kfb::stroke::cap.get(ends));
+    // What is above is 0: parse() refuses the rest.
+    style.join = static_cast<Join>(kfb::stroke::join.get_with_above(ends));
     if (style.join == Join::miter)
         style.miter_limit = static_cast<std::uint8_t>(bytes.u8());
 }
@@ -90,9 +83,9 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
 ObjectStyle take_style(ByteReader& bytes, std::uint32_t head)
 {
     ObjectStyle style;
-    style.is_filled = (head & filled_bit) != 0;
-    style.is_stroked = (head & stroked_bit) != 0;
-    style.fill_rule = (head & even_odd_bit) != 0 ? FillRule::even_odd : FillRule::nonzero;
+    style.is_filled = kfb::item::is_filled.get(head);
+    style.is_stroked = kfb::item::is_stroked.get(head);
+    style.fill_rule = kfb::item::is_even_odd.get(head) ? FillRule::even_odd : FillRule::nonzero;
     if (style.is_filled)
         style.fill = static_cast<std::uint8_t>(bytes.u8());
     if (style.is_stroked)
@@ -105,8 +98,8 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
     ObjectView object;
     object.has_depths = has_depths;
     object.style = take_style(bytes, head);
-    object.has_arrivals = (head & arrivals_bit) != 0;
-    if ((head & deformed_bit) != 0)
+    object.has_arrivals = kfb::item::has_arrivals.get(head);
+    if (kfb::item::is_carried.get(head))
         read_deformer(bytes, object);
     object.key_bytes = bytes;
     object.take_keys(bytes);
@@ -117,7 +110,7 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
 void take_live_kind(ByteReader& bytes, ItemView& item)
 {
     const std::uint32_t kind = bytes.u8();
-    item.object.has_depths = kind == wire_kind;
+    item.object.has_depths = kind == kfb::item::wire_frame;
     if (item.object.has_depths)
         item.kind = ItemKind::object;
     else
@@ -177,11 +170,11 @@ ItemView ItemCursor::next()
     ItemView item;
     item.place = bytes_.rest().data();
     const std::uint32_t head = bytes_.u8();
-    item.kind = static_cast<ItemKind>(head & kind_bits);
+    item.kind = static_cast<ItemKind>(kfb::item::kind.get(head));
     item.is_known = is_known(head, item.kind);
     if (item.kind == ItemKind::live)
         take_live_kind(bytes_, item);
-    if ((head & tracks_bit) != 0)
+    if (kfb::item::has_tracks.get(head))
         take_tracks(bytes_, item);
     switch (item.kind) {
     case ItemKind::object:

@@ -102,9 +102,6 @@ struct ObjectView {
 
 enum class ItemKind : std::uint8_t { object, group, use, live };
 
-/// In the place of an InputLeaf: the item is an object that is a wire frame.
-inline constexpr std::uint32_t wire_kind = 2;
-
 /// What a live item shows.
 enum class InputLeaf : std::uint8_t {
     drawing, ///< an input of InputType::drawing, in the item's style

@@ -10,11 +10,14 @@ inline constexpr std::uint8_t version = 3;
 inline constexpr int max_canvas = 2047;                    ///< pixels in each direction
 inline constexpr std::uint32_t max_frame_rate = 1'000'000; ///< in 1/1000 fps
 inline constexpr std::int32_t max_time = 1'000'000 * 1024; ///< ticks
+inline constexpr std::int32_t min_coordinate = -32768;     ///< in 1/16 px, and of an order
+inline constexpr std::int32_t max_coordinate = 32767;
 inline constexpr std::uint32_t max_drawing_points = 65535;
 inline constexpr std::uint32_t max_outline_bytes = 1U << 22; ///< of one picture
 inline constexpr std::uint32_t max_borders = 1U << 20;       ///< likewise, of bands of four rows
 inline constexpr std::uint32_t max_cache_bytes = 1U << 22;   ///< for what is kept from picture to picture
 inline constexpr int max_width = 65535;                      ///< of a stroke, in 1/16 px
+inline constexpr std::uint32_t min_miter_limit = 8;          ///< in 1/8 widths
 inline constexpr int min_hatch_spacing = 8;                  ///< in 1/16 px
 inline constexpr std::size_t max_law_pairs = 255;            ///< besides that of constant laws
 inline constexpr std::size_t max_symbols = 255;
@@ -51,8 +54,12 @@ inline constexpr std::uint32_t max_path = 8'388'607; ///< length in 1/16 px
 inline constexpr std::uint32_t max_bones = 255;      ///< of one skeleton, and skeletons
 inline constexpr std::uint32_t max_bones_together = 1024;
 inline constexpr std::int32_t max_bone_turn =
-    16 * 65536; ///< of angles that tween as written, in 1/65536 turn
+    16 * 65536;                                        ///< of angles that tween as written, in 1/65536 turn
+inline constexpr std::int32_t max_bone_length = 65535; ///< in 1/16 px
 inline constexpr std::uint32_t max_bones_at_point = 4;
+/// Of backbones: 2^n sixteenths of a pixel stand for a segment and for a width.
+inline constexpr std::uint32_t min_unit_bits = 4;
+inline constexpr std::uint32_t max_unit_bits = 15;
 inline constexpr std::uint32_t max_backbones = 32;          ///< of one object
 inline constexpr std::uint32_t max_backbone_segments = 255; ///< of one object
 

@@ -13,8 +13,8 @@ PackedValues PackedValues::take(ByteReader& bytes, std::uint32_t count, std::int
     values.more_ = static_cast<std::uint32_t>(more);
     if (count > 1) {
         const std::uint32_t form = bytes.u8();
-        values.width_ = form & 31;
-        values.unit_ = static_cast<std::uint8_t>(form >> 5);
+        values.width_ = static_cast<std::uint8_t>(kfb::values::width.get(form));
+        values.unit_ = static_cast<std::uint8_t>(kfb::values::unit.get(form));
     }
     values.min_ = static_cast<std::uint32_t>(bytes.signed_varint());
     values.bits_ = BitReader::take(bytes, count, values.width_);
@@ -31,8 +31,6 @@ std::int32_t PackedValues::operator[](std::uint32_t index) const
 
 namespace {
 
-constexpr std::uint32_t bit(bool is_set, int place) { return is_set ? 1U << place : 0; }
-
 /// By how much `a` is more than `b`.
 constexpr std::uint32_t more(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : 0; }
 
@@ -46,39 +44,44 @@ constexpr std::uint8_t bits_within(std::uint32_t bits)
 StrokeForm StrokeForm::unpacked(std::uint32_t head)
 {
     StrokeForm form;
-    form.mix = static_cast<SegmentMix>(head & 3);
-    form.end = static_cast<StrokeEnd>(std::min<std::uint32_t>(head >> 2 & 3, 2));
-    const std::uint32_t bits = head >> 8 & 31;
-    form.ends = {bits_within(bits), (head >> 4 & 1) != 0};
+    form.mix = static_cast<SegmentMix>(kfb::form::mix.get(head));
+    form.end = static_cast<StrokeEnd>(std::min<std::uint32_t>(kfb::form::end.get(head), 2));
+    const std::uint32_t bits = kfb::form::end_width.get(head);
+    form.ends = {bits_within(bits), kfb::form::has_sparse_ends.get(head)};
     if (form.mix == SegmentMix::lines)
         return form;
-    const std::uint32_t fewer = head >> 13;
-    form.controls = {bits_within(bits > fewer ? bits - fewer : 0), (head >> 5 & 1) != 0};
-    form.smooth = static_cast<std::uint8_t>(head >> 6 & 3);
+    const std::uint32_t fewer = kfb::form::less_control_width.get(head);
+    form.controls = {bits_within(bits > fewer ? bits - fewer : 0), kfb::form::has_sparse_controls.get(head)};
+    form.smooth = static_cast<std::uint8_t>(kfb::form::smoothness.get(head));
     return form;
 }
 
 std::uint32_t StrokeForm::packed() const
 {
-    const std::uint32_t head = static_cast<std::uint32_t>(mix) | static_cast<std::uint32_t>(end) << 2 |
-                               bit(ends.is_sparse, 4) | std::uint32_t{ends.bits} << 8;
+    const std::uint32_t head = kfb::form::mix.put(mix) | kfb::form::end.put(end) |
+                               kfb::form::has_sparse_ends.put(ends.is_sparse) |
+                               kfb::form::end_width.put(ends.bits);
     if (mix == SegmentMix::lines)
         return head;
-    return head | bit(controls.is_sparse, 5) | std::uint32_t{smooth} << 6 |
-           more(ends.bits, controls.bits) << 13;
+    return head | kfb::form::has_sparse_controls.put(controls.is_sparse) | kfb::form::smoothness.put(smooth) |
+           kfb::form::less_control_width.put(more(ends.bits, controls.bits));
 }
 
 void StrokeForm::predict(std::uint32_t byte)
 {
-    predicted = bits_within(byte & 31);
-    controls.bits = bits_within(controls.bits + (byte >> 5));
+    predicted = bits_within(kfb::foretold::first_control_width.get(byte));
+    controls.bits = bits_within(controls.bits + kfb::foretold::more_control_width.get(byte));
 }
 
-std::uint32_t StrokeForm::predicting() const { return predicted | more(controls.bits, ends.bits) << 5; }
+std::uint32_t StrokeForm::predicting() const
+{
+    return kfb::foretold::first_control_width.put(predicted) |
+           kfb::foretold::more_control_width.put(more(controls.bits, ends.bits));
+}
 
 namespace {
 
-constexpr SegmentMix mix_of(std::uint32_t head) { return static_cast<SegmentMix>(head & 3); }
+constexpr SegmentMix mix_of(std::uint32_t head) { return static_cast<SegmentMix>(kfb::form::mix.get(head)); }
 
 /// Wraps around rather than overflow.
 constexpr Fixed moved(Fixed from, std::int32_t sixteenths)
@@ -136,10 +139,10 @@ void PackedDrawing::move_start()
 
 ByteReader PackedDrawing::form_elsewhere(std::uint32_t head)
 {
-    flip_x_ = -static_cast<std::int32_t>(head >> 2 & 1);
-    flip_y_ = -static_cast<std::int32_t>(head >> 3 & 1);
+    flip_x_ = -static_cast<std::int32_t>(kfb::repeated_form::mirrors_x.get(head));
+    flip_y_ = -static_cast<std::int32_t>(kfb::repeated_form::mirrors_y.get(head));
     const std::size_t offset = bytes_.varint();
-    is_known_ = is_known_ && head < 16 && offset < drawings_.size();
+    is_known_ = is_known_ && kfb::repeated_form::unused.get(head) == 0 && offset < drawings_.size();
     return is_known_ ? ByteReader{drawings_.subspan(offset)} : ByteReader{};
 }
 
@@ -149,8 +152,8 @@ void PackedDrawing::begin(std::uint32_t head, ByteReader form)
     head |= form.u8() << 8;
     form_ = StrokeForm::unpacked(head);
     const std::uint32_t count = form.varint();
-    left_ = count / 2;
-    if (count % 2 != 0)
+    left_ = kfb::segments::count.get(count);
+    if (kfb::segments::are_foretold.get(count))
         predict(form.u8());
     half_ = form_.end == StrokeEnd::turned ? left_ / 2 : 0;
     is_known_ = is_known_ && !form.overrun() && form_.packed() == head && form_.mix != SegmentMix::repeat &&
@@ -245,9 +248,9 @@ Point PackedDrawing::vector(const VectorForm& form)
 
 Point PackedDrawing::wide_vector(const VectorForm& form)
 {
-    const std::uint32_t given = form.is_sparse ? bits_.bits(2) : 3;
-    const std::int32_t x = (given & 2) != 0 ? bits_.signed_bits(form.bits) : 0;
-    const std::int32_t y = (given & 1) != 0 ? bits_.signed_bits(form.bits) : 0;
+    const std::uint32_t given = form.is_sparse ? bits_.bits(kfb::sparse_vector::bits) : 3;
+    const std::int32_t x = kfb::sparse_vector::has_x.get(given) ? bits_.signed_bits(form.bits) : 0;
+    const std::int32_t y = kfb::sparse_vector::has_y.get(given) ? bits_.signed_bits(form.bits) : 0;
     return flipped(x, y);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/math/flatten.hpp"
+#include "core/scene/format.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,14 +39,11 @@ private:
     std::uint8_t unit_ = 0;
 };
 
-/// The unit of values that are whole degrees; the others are powers of two.
-inline constexpr std::uint32_t degree_unit = 7;
-
-/// A stored number in its unit, 0 … degree_unit. Degrees become 1/65536 turn, rounded to nearest; up to
-/// 30,000 of them in each direction.
+/// A stored number in its unit, 0 … kfb::values::degree_unit. Degrees become 1/65536 turn, rounded to
+/// nearest; up to 30,000 of them in each direction.
 constexpr std::int32_t in_unit(std::uint32_t number, std::uint32_t unit)
 {
-    if (unit != degree_unit)
+    if (unit != kfb::values::degree_unit)
         return static_cast<std::int32_t>(number << unit);
     // 65536 / 360 is 182 and 2/45.
     const std::int32_t rest = static_cast<std::int32_t>(46603 * number + (1U << 19)) >> 20;

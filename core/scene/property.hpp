@@ -84,7 +84,7 @@ constexpr ValueRange value_range(Property property)
     case Property::pivot_x:
     case Property::pivot_y:
     case Property::order:
-        return {-32768, 32767};
+        return {kfb::min_coordinate, kfb::max_coordinate};
     case Property::rotation_x:
     case Property::rotation_y:
     case Property::rotation:

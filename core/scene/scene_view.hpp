@@ -5,6 +5,7 @@
 #include "core/features.hpp"
 #include "core/math/point.hpp"
 #include "core/pixel/paint_style.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/item_view.hpp"
 #include "core/scene/kfb_limits.hpp"
@@ -173,7 +174,7 @@ public:
     SkinReader skin(std::int32_t skin) const;
     static constexpr std::uint32_t bone_of(std::int32_t skin)
     {
-        return static_cast<std::uint32_t>(-1 - skin);
+        return static_cast<std::uint32_t>(kfb::skin::of_bone(skin));
     }
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }

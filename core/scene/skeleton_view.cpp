@@ -6,11 +6,7 @@ namespace kfast {
 
 namespace {
 
-constexpr std::uint32_t moved_bits = (1 << bone_quantity_count) - 1;
-constexpr std::uint32_t tip_bit = 1 << 4;
-constexpr std::uint32_t as_written_bit = 1 << 5;
-constexpr std::uint32_t straight_bit = 1 << 6;
-constexpr std::uint32_t whole_pixels_bit = 1 << 7;
+static_assert(kfb::bone::moved.max() == (1 << bone_quantity_count) - 1);
 
 /// In 1/16 px; wraps around rather than overflow.
 constexpr std::int32_t sixteenths(std::uint32_t length, bool in_pixels)
@@ -24,7 +20,7 @@ BoneKeys BoneKeys::take(ByteReader& bytes, const KeyTimeCursor& common, std::int
 {
     ByteReader ahead = bytes;
     BoneKeys keys;
-    keys.kind_ = ahead.u8() == 0 ? Kind::common : Kind::own;
+    keys.kind_ = ahead.u8() == kfb::key_times::use_default ? Kind::common : Kind::own;
     keys.key_times_ = KeyTimeCursor::take(bytes, common);
     keys.values_ = PackedValues::take(bytes, keys.key_times_.count(), set_up);
     return keys;
@@ -35,14 +31,14 @@ BoneSetUp BoneSetUp::take(ByteReader& bytes)
     BoneSetUp bone;
     bone.parent = bytes.u8();
     const std::uint32_t head = bytes.u8();
-    bone.is_at_tip = (head & tip_bit) != 0;
-    bone.turns_as_written = (head & as_written_bit) != 0;
-    bone.moved = head & moved_bits;
-    const bool in_pixels = (head & whole_pixels_bit) != 0;
+    bone.is_at_tip = kfb::bone::is_at_tip.get(head);
+    bone.turns_as_written = kfb::bone::turns_as_written.get(head);
+    bone.moved = static_cast<std::uint8_t>(kfb::bone::moved.get(head));
+    const bool in_pixels = kfb::bone::in_pixels.get(head);
     const auto coordinate = [&bytes, in_pixels] {
         return sixteenths(static_cast<std::uint32_t>(bytes.signed_varint()), in_pixels);
     };
-    const auto angle = static_cast<std::int32_t>((head & straight_bit) != 0 ? 0 : bytes.u16());
+    const auto angle = static_cast<std::int32_t>(kfb::bone::is_straight.get(head) ? 0 : bytes.u16());
     const std::int32_t x = coordinate();
     const std::int32_t y = coordinate();
     bone.set_up = {angle, x, y, sixteenths(bytes.varint(), in_pixels)};
@@ -112,8 +108,8 @@ const Binding& SkinReader::next()
         return binding_;
     }
     const std::uint32_t head = bytes_.varint();
-    left_ = head >> 2;
-    binding_ = Binding{bytes_, (head & 3) + 1};
+    left_ = kfb::skin::points.get(head);
+    binding_ = Binding{bytes_, kfb::skin::bones.get(head) + 1};
     return binding_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/track_view.hpp"
 #include "core/time/time.hpp"
@@ -157,8 +158,8 @@ std::size_t backbone_node_count(PackedDrawing drawing);
 
 /// A bone, and how far a point follows it.
 struct BoneInfluence {
-    std::uint32_t bone = 0;    ///< its number in the skeleton
-    std::int32_t weight = 256; ///< in 1/256; those of a point add up to 256
+    std::uint32_t bone = 0;                        ///< its number in the skeleton
+    std::int32_t weight = kfb::skin::whole_weight; ///< in 1/256; those of a point add up to 256
 };
 
 /// The bones that carry a point, one to four; borrows the scene's bytes.
@@ -179,7 +180,7 @@ public:
     void each(Use use) const
     {
         ByteReader bytes = bytes_;
-        std::int32_t rest = 256;
+        std::int32_t rest = kfb::skin::whole_weight;
         for (std::uint32_t i = 1; i < count_; ++i) {
             const std::uint32_t bone = bytes.u8();
             const auto weight = static_cast<std::int32_t>(bytes.u8());

@@ -10,8 +10,8 @@ Time read_time_code(ByteReader& bytes)
 {
     constexpr std::uint32_t beyond = kfb::max_time + 1;
     const std::uint32_t code = bytes.varint();
-    const std::uint32_t number = std::min(code / 2, beyond);
-    const bool in_ticks = code % 2 != 0;
+    const std::uint32_t number = std::min(kfb::time_code::number.get(code), beyond);
+    const bool in_ticks = kfb::time_code::in_ticks.get(code);
     constexpr std::uint32_t frame = Time::ticks_per_frame;
     const std::uint32_t ticks = in_ticks ? number : std::min(number, beyond / frame + 1) * frame;
     return {static_cast<std::int32_t>(std::min(ticks, beyond))};
@@ -19,12 +19,29 @@ Time read_time_code(ByteReader& bytes)
 
 namespace {
 
-constexpr int max_law_bits = 8;
-constexpr std::uint32_t input_bit = 1 << 15;
+VelocityLaw read_law(std::uint32_t kind, ByteReader& bytes)
+{
+    VelocityLaw law{.kind = static_cast<VelocityLaw::Kind>(kind)};
+    kfb::law_pair::each_parameter(
+        law, [&bytes]<class T>(T& parameter) { parameter = static_cast<T>(bytes.u16()); });
+    return law;
+}
 
-/// So that a sum does not overflow before its times are refused.
-constexpr int max_time_bits = 30;
-static_assert(kfb::max_time < 1 << max_time_bits);
+}
+
+LawPair read_law_pair(ByteReader& bytes)
+{
+    const std::uint32_t kinds = bytes.u8();
+    const VelocityLaw x = read_law(kfb::law_pair::x.get(kinds), bytes);
+    if (kfb::law_pair::y.get(kinds) == kfb::law_pair::as_for_x)
+        return {x, x};
+    const VelocityLaw y = read_law(kfb::law_pair::y.get(kinds), bytes);
+    return {x, y};
+}
+
+namespace {
+
+static_assert(kfb::max_time < 1 << kfb::key_times::max_time_bits);
 
 Driver take_input(ByteReader& bytes)
 {
@@ -47,21 +64,22 @@ KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& defaul
 {
     const std::byte* const place = bytes.rest().data();
     const std::uint32_t count = bytes.varint();
-    if (count == 0)
+    if (count == kfb::key_times::use_default)
         return default_key_times;
     const std::uint32_t form = bytes.u16();
     KeyTimeCursor key_times;
     key_times.place_ = place;
     key_times.count_ = count;
-    key_times.time_bits_ = form & 31;
-    key_times.time_shift_ = form >> 5 & 15;
-    key_times.law_bits_ = form >> 9 & 63;
-    if (key_times.law_bits_ > max_law_bits || key_times.time_bits_ + key_times.time_shift_ > max_time_bits) {
+    key_times.time_bits_ = static_cast<std::uint8_t>(kfb::key_times::time_width.get(form));
+    key_times.time_shift_ = static_cast<std::uint8_t>(kfb::key_times::time_shift.get(form));
+    key_times.law_bits_ = static_cast<std::uint8_t>(kfb::key_times::law_width.get(form));
+    if (key_times.law_bits_ > kfb::key_times::max_law_width ||
+        key_times.time_bits_ + key_times.time_shift_ > int{kfb::key_times::max_time_bits}) {
         bytes.refuse();
         key_times.law_bits_ = key_times.time_bits_ = key_times.time_shift_ =
             0; // whoever reads on all the same
     }
-    if ((form & input_bit) != 0)
+    if (kfb::key_times::has_input.get(form))
         key_times.driver_ = take_input(bytes);
     key_times.bits_ =
         BitReader::take(bytes, count, std::uint32_t{key_times.time_bits_} + key_times.law_bits_);
@@ -92,14 +110,6 @@ KeyTime KeyTimeCursor::next()
     return {.time = time_, .laws = laws, .index = index_++};
 }
 
-namespace {
-
-constexpr std::uint32_t property_bits = 0x3F;
-constexpr std::uint32_t smooth_bit = 0x40;
-constexpr std::uint32_t fixed_bit = 0x80;
-
-}
-
 TrackKey TrackKeyCursor::at(const KeyTime& key_time) const
 {
     return {.time = key_time.time, .laws = is_smooth_ ? 0 : key_time.laws, .value = values_[key_time.index]};
@@ -110,9 +120,9 @@ TrackView TrackCursor::next()
     --left_;
     const std::uint32_t head = bytes_.u8();
     TrackView track;
-    track.property = static_cast<Property>(head & property_bits);
-    track.is_smooth = (head & smooth_bit) != 0;
-    if ((head & fixed_bit) != 0) {
+    track.property = static_cast<Property>(kfb::track::property.get(head));
+    track.is_smooth = kfb::track::is_smooth.get(head);
+    if (kfb::track::is_fixed.get(head)) {
         track.is_fixed = true;
         track.value = bytes_.signed_varint();
     } else {

@@ -3,10 +3,12 @@
 #include "core/bytes/byte_reader.hpp"
 #include "core/math/angle.hpp"
 #include "core/math/point.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/property.hpp"
 #include "core/time/time.hpp"
+#include "core/time/velocity_law.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -21,9 +23,12 @@ Time read_time_code(ByteReader& bytes);
 /// seconds and one. A rate beyond the format's limit stays beyond it.
 constexpr std::uint32_t rate_of(std::uint32_t code)
 {
-    const std::uint32_t number = std::min(code / 2, kfb::max_frame_rate + 1);
-    return code % 2 != 0 ? number : number * 1000;
+    const std::uint32_t number = std::min(kfb::rate::number.get(code), kfb::max_frame_rate + 1);
+    return kfb::rate::in_1000_seconds.get(code) ? number : number * 1000;
 }
+
+/// Reads a pair of velocity laws (docs/format.md, "Laws").
+LawPair read_law_pair(ByteReader& bytes);
 
 /// A moment at which something has a key, on the clock that it goes by, and what governs the way from it to
 /// the next.

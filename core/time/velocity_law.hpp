@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/bytes/byte_reader.hpp"
 #include "core/math/fixed.hpp"
 
 #include <algorithm>
@@ -113,8 +112,5 @@ struct LawPair {
     VelocityLaw y = {};
     friend constexpr bool operator==(const LawPair&, const LawPair&) = default;
 };
-
-/// Reads a pair as the scene format stores it.
-LawPair read_law_pair(ByteReader& bytes);
 
 }

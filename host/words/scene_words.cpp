@@ -1,6 +1,7 @@
 #include "host/words/scene_words.hpp"
 
 #include "host/text/number_text.hpp"
+#include "host/words/law_words.hpp"
 
 #include <array>
 #include <cstdio>
@@ -101,24 +102,16 @@ std::string control_text(std::int16_t control)
 
 std::string law_text(const VelocityLaw& law)
 {
+    const std::string keyword{word_of(law.kind).keyword};
     switch (law.kind) {
-    case VelocityLaw::Kind::constant:
-        return "constant";
-    case VelocityLaw::Kind::accelerate:
-        return "accelerate";
-    case VelocityLaw::Kind::decelerate:
-        return "decelerate";
-    case VelocityLaw::Kind::accelerate_decelerate:
-        return "accelerate-decelerate";
-    case VelocityLaw::Kind::hold:
-        return "hold";
     case VelocityLaw::Kind::steps:
-        return "steps(" + std::to_string(law.steps) + ')';
+        return keyword + '(' + std::to_string(law.steps) + ')';
     case VelocityLaw::Kind::bezier:
-        return "bezier(" + control_text(law.x1) + ',' + control_text(law.y1) + ',' + control_text(law.x2) +
-               ',' + control_text(law.y2) + ')';
+        return keyword + '(' + control_text(law.x1) + ',' + control_text(law.y1) + ',' +
+               control_text(law.x2) + ',' + control_text(law.y2) + ')';
+    default:
+        return keyword;
     }
-    return "";
 }
 
 }

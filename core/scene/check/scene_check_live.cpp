@@ -3,7 +3,6 @@
 #include "core/scene/kfb_limits.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace kfast {
 
@@ -57,8 +56,7 @@ namespace {
 
 bool is_coordinate(std::int32_t sixteenths)
 {
-    return sixteenths >= std::numeric_limits<std::int16_t>::min() &&
-           sixteenths <= std::numeric_limits<std::int16_t>::max();
+    return sixteenths >= kfb::min_coordinate && sixteenths <= kfb::max_coordinate;
 }
 
 bool is_width(std::int32_t width) { return width >= -kfb::max_text_width && width <= kfb::max_text_width; }
@@ -79,8 +77,8 @@ bool are_pairs_valid(const LabelView& label)
 {
     for (std::uint32_t i = 0; i < label.pair_count(); ++i) {
         const std::uint32_t code = label.pair_code(i);
-        if (code >> 8 >= label.glyph_count || (code & 0xFF) >= label.glyph_count ||
-            (i != 0 && code <= label.pair_code(i - 1)))
+        if (kfb::kerning::left.get(code) >= label.glyph_count ||
+            kfb::kerning::right.get(code) >= label.glyph_count || (i != 0 && code <= label.pair_code(i - 1)))
             return false;
     }
     return true;

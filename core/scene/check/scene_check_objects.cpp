@@ -3,7 +3,6 @@
 #include "core/scene/kfb_limits.hpp"
 
 #include <algorithm>
-#include <limits>
 
 /// Objects and their drawings.
 namespace kfast {
@@ -26,8 +25,8 @@ std::uint32_t bones_of(const SceneView& scene, const ObjectView& object)
 
 bool is_within(Fixed coordinate)
 {
-    return coordinate >= Fixed::sixteenths(std::numeric_limits<std::int16_t>::min()) &&
-           coordinate <= Fixed::sixteenths(std::numeric_limits<std::int16_t>::max());
+    return coordinate >= Fixed::sixteenths(kfb::min_coordinate) &&
+           coordinate <= Fixed::sixteenths(kfb::max_coordinate);
 }
 
 bool is_within(Point at) { return is_within(at.x) && is_within(at.y); }
@@ -76,7 +75,7 @@ bool SceneCheck::check_style(const ObjectStyle& style)
         return style.is_filled;
     return needs(Feature::strokes) && style.stroke < scene_.palette_size() && style.width >= 1 &&
            style.width <= kfb::max_width && style.cap <= Cap::square && style.join <= Join::bevel &&
-           style.miter_limit >= 8;
+           style.miter_limit >= kfb::min_miter_limit;
 }
 
 bool SceneCheck::check_keys(const ObjectView& object)
@@ -165,7 +164,7 @@ bool SceneCheck::check_deformer(const ObjectView& object)
 bool SceneCheck::check_backbones(const BackbonesView& backbones)
 {
     BackboneKeyCursor keys = backbones.keys();
-    if (keys.at_end() || backbones.unit_bits < 4 || backbones.unit_bits > 15)
+    if (keys.at_end() || backbones.unit_bits < kfb::min_unit_bits || backbones.unit_bits > kfb::max_unit_bits)
         return false;
     const std::uint32_t first = backbones.keys().next().drawing;
     for (Time before{-1}; !keys.at_end();) {
@@ -192,7 +191,7 @@ bool SceneCheck::check_depths(const Key& key)
 bool SceneCheck::check_skin(const Key& key, std::uint32_t bones)
 {
     if (key.more < 0)
-        return static_cast<std::uint32_t>(-1 - key.more) < bones;
+        return SceneView::bone_of(key.more) < bones;
     if (static_cast<std::size_t>(key.more) >= scene_.drawings_.size())
         return false;
     SkinReader skin = scene_.skin(key.more);

@@ -13,9 +13,9 @@ ValueRange range_of(BoneQuantity quantity)
         return {-kfb::max_bone_turn, kfb::max_bone_turn};
     case BoneQuantity::x:
     case BoneQuantity::y:
-        return {-32768, 32767};
+        return {kfb::min_coordinate, kfb::max_coordinate};
     case BoneQuantity::length:
-        return {0, 65535};
+        return {0, kfb::max_bone_length};
     }
     return {0, 0};
 }

@@ -7,6 +7,7 @@
 #include "host/scene/context/palette.hpp"
 #include "host/scene/values/law_reader.hpp"
 #include "host/schema/report.hpp"
+#include "host/words/law_words.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -33,6 +34,26 @@ double control(std::int16_t number) { return static_cast<double>(number) / Veloc
 
 }
 
+namespace {
+
+bool is_importable(VelocityLaw::Kind kind)
+{
+    return kind == VelocityLaw::Kind::constant || kind == VelocityLaw::Kind::hold ||
+           kind == VelocityLaw::Kind::bezier;
+}
+
+/// "constant, hold, ease or bezier(x1,y1,x2,y2)"
+std::string importable_laws()
+{
+    std::string text;
+    for (const LawWord& word : law_words)
+        if (is_importable(word.law.kind))
+            text.append(text.empty() ? "" : word.has_numbers() ? " or " : ", ").append(word.form);
+    return text;
+}
+
+}
+
 art::Ease read_ease(const std::string& option, const std::string& text)
 {
     const VelocityLaw law = read_law(option, text);
@@ -49,10 +70,7 @@ art::Ease read_ease(const std::string& option, const std::string& text)
     case VelocityLaw::Kind::steps:
         break;
     }
-    throw CLI::ValidationError(option,
-                               '\'' + text +
-                                   "' cannot be imported: take constant, hold, ease, ease-in, ease-out, "
-                                   "ease-in-out or bezier(x1,y1,x2,y2)");
+    throw CLI::ValidationError(option, '\'' + text + "' cannot be imported: take " + importable_laws());
 }
 
 namespace {

@@ -1,5 +1,7 @@
 #include "host/compiler/carry/relative_drawing.hpp"
 
+#include "core/scene/kfb_limits.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -155,9 +157,6 @@ SegmentPairs divided_at_cells(const SegmentPairs& stroke, const DeformingCells& 
 
 namespace {
 
-constexpr std::uint32_t min_unit_bits = 4;
-constexpr std::uint32_t max_unit_bits = 15;
-
 RelativeStroke relative_stroke(const std::vector<Segment>& stroke, const BackboneCells& cells)
 {
     const std::int32_t main = cells.main_backbone(spots_of(stroke));
@@ -191,10 +190,7 @@ Stored stored(const RelativePoint& point, std::uint32_t unit_bits)
 
 bool fits(const RelativePoint& point, std::uint32_t unit_bits)
 {
-    const auto fits = [](long value) {
-        return value >= std::numeric_limits<std::int16_t>::min() &&
-               value <= std::numeric_limits<std::int16_t>::max();
-    };
+    const auto fits = [](long value) { return value >= kfb::min_coordinate && value <= kfb::max_coordinate; };
     const auto [x, y] = stored(point, unit_bits);
     return fits(x) && fits(y);
 }
@@ -242,10 +238,10 @@ std::vector<Vec2> spots_of(const std::vector<Segment>& stroke)
 
 std::uint32_t unit_bits_of(std::span<const RelativeDrawing> drawings)
 {
-    std::uint32_t bits = max_unit_bits;
+    std::uint32_t bits = kfb::max_unit_bits;
     for (const RelativeDrawing& drawing : drawings)
         for (const RelativeStroke& stroke : drawing)
-            while (bits > min_unit_bits && !fits(stroke, bits))
+            while (bits > kfb::min_unit_bits && !fits(stroke, bits))
                 --bits;
     return bits;
 }

@@ -1,5 +1,6 @@
 #include "host/compiler/pack/drawing_pool.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
 
@@ -64,16 +65,17 @@ void DrawingPool::add_form(const Steps& steps)
 /// What refers to the form of such a stroke, or of a mirrored one; nothing if there is none.
 std::vector<std::byte> DrawingPool::repeat_of(const Steps& steps) const
 {
-    constexpr auto repeat = static_cast<std::uint32_t>(SegmentMix::repeat);
-    for (const std::uint32_t mirroring : {0U, 1U, 2U, 3U}) {
-        const auto form = forms_.find(mirrored(steps, (mirroring & 1) != 0, (mirroring & 2) != 0));
-        if (form == forms_.end())
-            continue;
-        ByteWriter bytes;
-        bytes.u8(repeat | mirroring << 2);
-        bytes.varint(form->second.offset);
-        return bytes.bytes();
-    }
+    for (const bool y : {false, true})
+        for (const bool x : {false, true}) {
+            const auto form = forms_.find(mirrored(steps, x, y));
+            if (form == forms_.end())
+                continue;
+            ByteWriter bytes;
+            bytes.u8(kfb::repeated_form::mix.put(SegmentMix::repeat) | kfb::repeated_form::mirrors_x.put(x) |
+                     kfb::repeated_form::mirrors_y.put(y));
+            bytes.varint(form->second.offset);
+            return bytes.bytes();
+        }
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "host/compiler/pack/key_time_writer.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 
@@ -11,15 +12,10 @@ namespace kfast {
 
 namespace {
 
-constexpr std::uint32_t as_for_x = 15;
-
 void write_parameters(const VelocityLaw& law, ByteWriter& bytes)
 {
-    if (law.kind == VelocityLaw::Kind::steps)
-        bytes.u16(law.steps);
-    if (law.kind == VelocityLaw::Kind::bezier)
-        for (const std::int16_t number : {law.x1, law.y1, law.x2, law.y2})
-            bytes.u16(static_cast<std::uint16_t>(number));
+    kfb::law_pair::each_parameter(
+        law, [&bytes](auto parameter) { bytes.u16(static_cast<std::uint16_t>(parameter)); });
 }
 
 }
@@ -45,8 +41,9 @@ std::vector<std::byte> LawTable::bytes() const
     ByteWriter bytes;
     for (const LawPair& pair : pairs_) {
         const bool is_alike = pair.x == pair.y;
-        bytes.u8(static_cast<std::uint32_t>(pair.x.kind) |
-                 (is_alike ? as_for_x : static_cast<std::uint32_t>(pair.y.kind)) << 4);
+        const auto kind_for_y = static_cast<std::uint32_t>(pair.y.kind);
+        bytes.u8(kfb::law_pair::x.put(pair.x.kind) |
+                 kfb::law_pair::y.put(is_alike ? kfb::law_pair::as_for_x : kind_for_y));
         write_parameters(pair.x, bytes);
         if (!is_alike)
             write_parameters(pair.y, bytes);
@@ -55,9 +52,6 @@ std::vector<std::byte> LawTable::bytes() const
 }
 
 namespace {
-
-constexpr int max_shift = 15;
-constexpr std::uint32_t input_bit = 1 << 15;
 
 /// The time of each since the one before.
 std::vector<std::uint32_t> steps_of(const KeyTimes& key_times)
@@ -86,15 +80,16 @@ void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default
     const auto& key_times = driven.key_times;
     const Driver driver = written_driver(driven);
     if (key_times == default_key_times.key_times && driver == written_driver(default_key_times))
-        return bytes.varint(0);
+        return bytes.varint(kfb::key_times::use_default);
     const std::vector<std::uint32_t> steps = steps_of(key_times);
     const std::uint32_t all_bits = std::reduce(steps.begin(), steps.end(), 0U, std::bit_or{});
+    constexpr auto max_shift = static_cast<int>(kfb::key_times::time_shift.max());
     const int shift = all_bits == 0 ? 0 : std::min(std::countr_zero(all_bits), max_shift);
     const std::uint32_t time_bits = bits_for(std::ranges::max(steps) >> shift);
     const std::uint32_t law_bits = bits_for(std::ranges::max(key_times, {}, &WrittenKeyTime::laws).laws);
     bytes.varint(static_cast<std::uint32_t>(key_times.size()));
-    bytes.u16(time_bits | static_cast<std::uint32_t>(shift) << 5 | law_bits << 9 |
-              (driver.is_time() ? 0 : input_bit));
+    bytes.u16(kfb::key_times::time_width.put(time_bits) | kfb::key_times::time_shift.put(shift) |
+              kfb::key_times::law_width.put(law_bits) | kfb::key_times::has_input.put(!driver.is_time()));
     if (!driver.is_time())
         bytes.u8(driver.input);
     BitWriter bits{bytes};

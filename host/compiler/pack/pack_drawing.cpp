@@ -1,5 +1,6 @@
 #include "host/compiler/pack/pack_drawing.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 
@@ -186,7 +187,9 @@ private:
     void put(Delta delta, const VectorForm& form)
     {
         if (form.is_sparse)
-            bits_.put((delta.x != 0 ? 2 : 0) + (delta.y != 0 ? 1 : 0), 2);
+            bits_.put(static_cast<std::int32_t>(kfb::sparse_vector::has_x.put(delta.x != 0) |
+                                                kfb::sparse_vector::has_y.put(delta.y != 0)),
+                      kfb::sparse_vector::bits);
         for (const std::int32_t coordinate : {delta.x, delta.y})
             if (!form.is_sparse || coordinate != 0)
                 bits_.put(coordinate, form.bits);
@@ -199,7 +202,8 @@ private:
 void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
 {
     bytes.u16(form.packed());
-    bytes.varint(static_cast<std::uint32_t>(2 * steps.size()) + (form.predicted != 0 ? 1 : 0));
+    bytes.varint(kfb::segments::count.put(steps.size()) |
+                 kfb::segments::are_foretold.put(form.predicted != 0));
     if (form.predicted != 0)
         bytes.u8(form.predicting());
 }

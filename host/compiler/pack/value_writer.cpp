@@ -1,5 +1,6 @@
 #include "host/compiler/pack/value_writer.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 /// What is `value` in a unit.
 std::int32_t number_of(std::int32_t value, std::uint32_t unit)
 {
-    if (unit == degree_unit)
+    if (unit == kfb::values::degree_unit)
         return static_cast<std::int32_t>(std::lround(value * 360.0 / 65536));
     return value >> unit;
 }
@@ -38,7 +39,7 @@ void write_numbers(const std::vector<std::int32_t>& numbers, std::uint32_t unit,
     const auto [min, max] = std::ranges::minmax(numbers);
     const auto first = static_cast<std::uint32_t>(min);
     const auto width = static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(max) - first));
-    bytes.u8(width | unit << 5);
+    bytes.u8(kfb::values::width.put(width) | kfb::values::unit.put(unit));
     bytes.signed_varint(min);
     BitWriter bits{bytes};
     for (const std::int32_t number : numbers)
@@ -52,7 +53,7 @@ void write_values(std::span<const std::int32_t> values, ByteWriter& bytes)
     if (values.size() == 1)
         return bytes.signed_varint(values.front());
     std::optional<ByteWriter> best;
-    for (std::uint32_t unit = 0; unit <= degree_unit; ++unit)
+    for (std::uint32_t unit = 0; unit <= kfb::values::degree_unit; ++unit)
         if (const auto numbers = numbers_of(values, unit)) {
             ByteWriter written;
             write_numbers(*numbers, unit, written);

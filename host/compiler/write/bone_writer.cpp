@@ -1,6 +1,7 @@
 #include "host/compiler/write/bone_writer.hpp"
 
 #include "core/math/angle.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/skeleton_view.hpp"
 #include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
@@ -13,11 +14,6 @@ namespace kfast {
 namespace {
 
 using Keys = std::vector<scene::TrackKey>;
-
-constexpr std::uint32_t at_tip_bit = 1 << 4;
-constexpr std::uint32_t as_written_bit = 1 << 5;
-constexpr std::uint32_t straight_bit = 1 << 6;
-constexpr std::uint32_t whole_pixels_bit = 1 << 7;
 
 /// As set up, as the format has it.
 std::int32_t set_up(const scene::Bone& bone, BoneQuantity quantity)
@@ -92,12 +88,13 @@ private:
 
     static std::uint32_t flags_of(const scene::Bone& bone)
     {
-        std::uint32_t flags = (bone.is_at_tip ? at_tip_bit : 0) | (is_straight(bone) ? straight_bit : 0) |
-                              (is_in_pixels(bone) ? whole_pixels_bit : 0);
+        std::uint32_t moved = 0;
         for (std::size_t i = 0; i < bone_quantity_count; ++i)
-            flags |= bone.keys[i].empty() ? 0 : 1U << i;
+            moved |= bone.keys[i].empty() ? 0 : 1U << i;
         const bool turns = !bone.keys[static_cast<std::size_t>(BoneQuantity::angle)].empty();
-        return flags | (turns && bone.turns_as_written ? as_written_bit : 0);
+        return kfb::bone::moved.put(moved) | kfb::bone::is_at_tip.put(bone.is_at_tip) |
+               kfb::bone::turns_as_written.put(turns && bone.turns_as_written) |
+               kfb::bone::is_straight.put(is_straight(bone)) | kfb::bone::in_pixels.put(is_in_pixels(bone));
     }
 
     static void write_set_up(const scene::Bone& bone, ByteWriter& bytes)

@@ -2,6 +2,7 @@
 
 #include "core/bytes/byte_reader.hpp"
 #include "core/bytes/crc32.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/scene_view.hpp"
 
@@ -12,11 +13,11 @@ namespace kfast {
 
 namespace {
 
-constexpr std::size_t checked_at = 8; ///< what the checksum covers
-
-std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
-
-std::uint32_t rate_code(std::uint32_t rate) { return rate % 1000 == 0 ? rate / 1000 * 2 : rate * 2 + 1; }
+std::uint32_t rate_code(std::uint32_t rate)
+{
+    const bool is_whole = rate % 1000 == 0;
+    return kfb::rate::in_1000_seconds.put(!is_whole) | kfb::rate::number.put(is_whole ? rate / 1000 : rate);
+}
 
 bool has_default_camera(const scene::Scene& scene) { return scene.camera == default_camera(scene.canvas); }
 
@@ -46,9 +47,10 @@ void write_header(const scene::Scene& scene, const Sections& sections, ByteWrite
     bytes.varint(nothing.bytes);
     bytes.varint(nothing.borders);
     bytes.varint(nothing.cache_bytes);
-    bytes.u8(static_cast<std::uint32_t>(scene.loop) | flag(!has_default_camera(scene), 2) |
-             flag(with_opacity, 3) | flag(sections.marks, 4) | flag(sections.bones, 5) |
-             flag(sections.symbols, 6) | flag(sections.inputs, 7));
+    bytes.u8(kfb::header::loop.put(scene.loop) | kfb::header::has_camera.put(!has_default_camera(scene)) |
+             kfb::header::has_opacity.put(with_opacity) | kfb::header::has_marks.put(sections.marks) |
+             kfb::header::has_bones.put(sections.bones) | kfb::header::has_symbols.put(sections.symbols) |
+             kfb::header::has_inputs.put(sections.inputs));
     bytes.varint(time_code(scene.length));
     bytes.varint(rate_code(scene.frame_rate));
     bytes.varint(static_cast<std::uint32_t>(scene.canvas.width));
@@ -65,9 +67,7 @@ std::vector<std::byte> sealed(const ByteWriter& body)
     Crc32 crc;
     crc.add(checked.bytes());
     ByteWriter file;
-    for (const char letter : {'K', 'F', 'B'})
-        file.u8(static_cast<std::uint8_t>(letter));
-    file.u8(kfb::version);
+    file.u32(kfb::tag::magic.put(kfb::tag::magic_value) | kfb::tag::version.put(kfb::version));
     file.u32(crc.value());
     file.append(checked.bytes());
     return file.bytes();
@@ -75,14 +75,14 @@ std::vector<std::byte> sealed(const ByteWriter& body)
 
 void set_outline_needs(std::vector<std::byte>& file, const OutlineNeeds& needs)
 {
-    ByteReader old{std::span{file}.subspan(checked_at)};
+    ByteReader old{std::span{file}.subspan(kfb::header::checksum_end)};
     old.varint(); // the size
     for (int figure = 0; figure < 3; ++figure)
         old.varint();
     ByteWriter body;
-    body.varint(needs.bytes / 4);
+    body.varint(needs.bytes / kfb::header::memory_unit);
     body.varint(needs.borders);
-    body.varint(needs.cache_bytes / 4);
+    body.varint(needs.cache_bytes / kfb::header::memory_unit);
     body.append(old.rest());
     file = sealed(body);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/format.hpp"
 #include "core/time/time.hpp"
 #include "host/compiler/pack/byte_writer.hpp"
 #include "host/scene/model.hpp"
@@ -14,7 +15,9 @@ namespace kfast {
 constexpr std::uint32_t time_code(Time time)
 {
     const auto ticks = static_cast<std::uint32_t>(time.ticks);
-    return ticks % Time::ticks_per_frame == 0 ? ticks / Time::ticks_per_frame * 2 : ticks * 2 + 1;
+    const bool is_whole = ticks % Time::ticks_per_frame == 0;
+    return kfb::time_code::in_ticks.put(!is_whole) |
+           kfb::time_code::number.put(is_whole ? ticks / Time::ticks_per_frame : ticks);
 }
 
 /// Which of the sections that a scene may lack there are.

@@ -1,5 +1,6 @@
 #include "host/compiler/write/inputs_and_marks.hpp"
 
+#include "core/scene/format.hpp"
 #include "host/compiler/write/header.hpp"
 
 #include <utility>
@@ -27,7 +28,7 @@ void write_glyphs(const std::u32string& glyphs, ByteWriter& bytes)
     bytes.u8(static_cast<std::uint32_t>(glyphs.size()));
     bytes.u8(static_cast<std::uint32_t>(stretches.size()));
     for (const auto& [glyph, character] : stretches)
-        bytes.u32(static_cast<std::uint32_t>(glyph) | std::uint32_t{character} << 8);
+        bytes.u32(kfb::glyph_range::glyph.put(glyph) | kfb::glyph_range::character.put(character));
 }
 
 void write_text(const scene::TextInput& text, ByteWriter& bytes)

@@ -1,5 +1,6 @@
 #include "host/compiler/write/item_writer.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/item_view.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/carry/deformed_tweens.hpp"
@@ -42,7 +43,7 @@ void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& b
     std::vector<std::int32_t> kerning;
     bytes.u16(static_cast<std::uint32_t>(label.kerning.size()));
     for (const scene::Kerning& pair : label.kerning) {
-        bytes.u16(std::uint32_t{pair.left} << 8 | pair.right);
+        bytes.u16(kfb::kerning::left.put(pair.left) | kfb::kerning::right.put(pair.right));
         kerning.push_back(pair.by);
     }
     if (!kerning.empty())
@@ -86,8 +87,6 @@ void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& byte
         report_length(item, diagnostics);
 }
 
-std::uint32_t flag(bool is_set, int bit) { return is_set ? 1U << bit : 0; }
-
 /// What of an item comes from outside.
 struct Live {
     InputLeaf kind;
@@ -109,20 +108,22 @@ std::optional<std::uint32_t> kind_of_live(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
     if (object != nullptr && object->has_depths)
-        return wire_kind;
+        return kfb::item::wire_frame;
     const auto live = live_of(item);
     return live ? std::optional{static_cast<std::uint32_t>(live->kind)} : std::nullopt;
 }
 
 std::uint32_t style_flags_of(const scene::Object& object)
 {
-    return flag(object.fill.has_value(), 3) | flag(object.stroke.has_value(), 4) |
-           flag(object.fill && object.fill_rule == FillRule::even_odd, 5);
+    return kfb::item::is_filled.put(object.fill.has_value()) |
+           kfb::item::is_stroked.put(object.stroke.has_value()) |
+           kfb::item::is_even_odd.put(object.fill && object.fill_rule == FillRule::even_odd);
 }
 
 std::uint32_t key_flags_of(const scene::Object& object)
 {
-    return flag(has_arrivals(object), 6) | flag(deformer_of(object) != Deformer::none, 7);
+    return kfb::item::has_arrivals.put(has_arrivals(object)) |
+           kfb::item::is_carried.put(deformer_of(object) != Deformer::none);
 }
 
 std::uint32_t head_of(const scene::Item& item, bool has_tracks)
@@ -130,7 +131,7 @@ std::uint32_t head_of(const scene::Item& item, bool has_tracks)
     const auto* object = std::get_if<scene::Object>(&item.content);
     const bool has_kind = kind_of_live(item).has_value();
     const auto kind = has_kind ? ItemKind::live : static_cast<ItemKind>(item.content.index());
-    return static_cast<std::uint32_t>(kind) | flag(has_tracks, 2) |
+    return kfb::item::kind.put(kind) | kfb::item::has_tracks.put(has_tracks) |
            (object != nullptr ? style_flags_of(*object) : 0) |
            (object != nullptr && !has_kind ? key_flags_of(*object) : 0);
 }
@@ -139,7 +140,7 @@ void write_stroke_style(const scene::StrokeStyle& style, ByteWriter& bytes)
 {
     bytes.u8(static_cast<std::uint32_t>(style.colour));
     bytes.varint(static_cast<std::uint32_t>(style.width));
-    bytes.u8(static_cast<std::uint32_t>(style.cap) | static_cast<std::uint32_t>(style.join) << 2);
+    bytes.u8(kfb::stroke::cap.put(style.cap) | kfb::stroke::join.put(style.join));
     if (style.join == Join::miter)
         bytes.u8(static_cast<std::uint32_t>(style.miter_limit));
 }
@@ -185,12 +186,11 @@ void ItemWriter::write_item(const scene::Item& item, ByteWriter& bytes)
 
 void ItemWriter::write_deformer(const scene::Object& object, std::uint32_t unit_bits, ByteWriter& bytes)
 {
-    constexpr std::uint32_t backbones = 0;
     switch (deformer_of(object)) {
     case Deformer::none:
         return;
     case Deformer::backbones:
-        bytes.u8(backbones);
+        bytes.u8(kfb::item::by_backbones);
         return write_backbones(object, unit_bits, laws_, drawings_, bytes);
     case Deformer::bones:
         return bytes.u8(static_cast<std::uint32_t>(object.skin->bones) + 1);

@@ -1,5 +1,6 @@
 #include "host/compiler/write/key_writer.hpp"
 
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/carry/deformed_tweens.hpp"
@@ -132,7 +133,7 @@ void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
         const auto end = std::find_if(run, bindings.end(),
                                       [run](const scene::Binding& binding) { return binding != *run; });
         const auto points = static_cast<std::uint32_t>(end - run);
-        bytes.varint(4 * (points - 1) + static_cast<std::uint32_t>(run->size()) - 1);
+        bytes.varint(kfb::skin::points.put(points - 1) | kfb::skin::bones.put(run->size() - 1));
         for (const scene::BoneWeight& share : *run) {
             bytes.u8(static_cast<std::uint32_t>(share.bone));
             if (&share != &run->back())
@@ -157,7 +158,7 @@ std::optional<std::int32_t> only_bone(const SkinnedDrawing& skinned)
 std::int32_t number_of_skin(const SkinnedDrawing& skinned, DrawingPool& drawings)
 {
     if (const auto bone = only_bone(skinned))
-        return -1 - *bone;
+        return kfb::skin::of_bone(*bone);
     ByteWriter skin;
     skin.varint(skinned.at_rest ? 1 + static_cast<std::uint32_t>(drawings.offset_of(*skinned.at_rest)) : 0);
     write_runs(skinned.bindings, skin);

@@ -1,5 +1,6 @@
 #include "host/compiler/write/track_writer.hpp"
 
+#include "core/scene/format.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 #include "host/scene/items/track_builder.hpp"
 
@@ -8,10 +9,6 @@
 
 namespace kfast {
 namespace {
-
-constexpr std::uint32_t smooth_bit = 1 << 6;
-constexpr std::uint32_t fixed_bit = 1 << 7;
-constexpr std::uint32_t beam_bit = 1 << 7;
 
 bool is_fixed(const scene::Track& track) { return track.keys.size() == 1; }
 
@@ -54,12 +51,11 @@ std::vector<const scene::Track*> effective_tracks(const scene::Item& item)
 
 void write_track(const scene::Track& track, LawTable& laws, DrivenKeyTimes& before, ByteWriter& bytes)
 {
-    const auto property = static_cast<std::uint32_t>(track.property);
-    if (is_fixed(track)) {
-        bytes.u8(property | fixed_bit);
+    bytes.u8(kfb::track::property.put(track.property) |
+             kfb::track::is_smooth.put(track.is_smooth && !is_fixed(track)) |
+             kfb::track::is_fixed.put(is_fixed(track)));
+    if (is_fixed(track))
         return bytes.signed_varint(track.keys.front().value);
-    }
-    bytes.u8(property | (track.is_smooth ? smooth_bit : 0));
     DrivenKeyTimes key_times = key_times_of(track.keys, track.driver, track.is_smooth, laws);
     write_key_times(key_times, before, bytes);
     write_values(values_of(track.keys), bytes);
@@ -110,7 +106,7 @@ std::vector<std::byte> packed_tracks(const scene::Item& item, LawTable& laws)
     if (tracks.empty() && beam == nullptr)
         return {};
     ByteWriter bytes;
-    bytes.u8(static_cast<std::uint32_t>(tracks.size()) | (beam != nullptr ? beam_bit : 0));
+    bytes.u8(kfb::tracks::count.put(tracks.size()) | kfb::tracks::has_beam_style.put(beam != nullptr));
     DrivenKeyTimes before;
     for (const scene::Track* track : tracks)
         write_track(*track, laws, before, bytes);

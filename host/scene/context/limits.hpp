@@ -35,12 +35,12 @@ inline constexpr int widest_canvas = kfb::max_canvas;      ///< pixels, in each 
 inline constexpr int fastest = kfb::max_frame_rate / 1000; ///< frames per second
 inline constexpr int widest_stroke = kfb::max_width / 16;  ///< pixels
 
-inline constexpr std::int32_t longest_bone = 65'535; ///< 1/16 px
+inline constexpr std::int32_t longest_bone = kfb::max_bone_length; ///< 1/16 px
 
 /// Whether the format can store it, in 1/16 px.
 constexpr bool is_bone_origin(std::int32_t coordinate)
 {
-    return coordinate >= -32'768 && coordinate <= 32'767;
+    return coordinate >= kfb::min_coordinate && coordinate <= kfb::max_coordinate;
 }
 
 inline std::string too_far_from_parent()

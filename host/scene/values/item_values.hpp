@@ -50,7 +50,7 @@ constexpr ValueKind kind_of(Property property)
     case Property::opacity:
         return ValueKind::number({0, 1});
     case Property::order:
-        return ValueKind::whole({-32768, 32767});
+        return ValueKind::whole({kfb::min_coordinate, kfb::max_coordinate});
     case Property::visible:
         return truth;
     case Property::fill:

@@ -3,6 +3,7 @@
 #include "host/geometry/path_scanner.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/text/characters.hpp"
+#include "host/words/law_words.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
@@ -18,30 +19,6 @@ namespace kfast::scene {
 
 namespace {
 
-/// Of a number of bezier(), in Q13, rounded to nearest.
-constexpr std::int16_t control(double number)
-{
-    return static_cast<std::int16_t>(number * VelocityLaw::control_one + (number < 0 ? -0.5 : 0.5));
-}
-
-constexpr VelocityLaw bezier(double x1, double y1, double x2, double y2)
-{
-    return VelocityLaw::bezier(control(x1), control(y1), control(x2), control(y2));
-}
-
-/// The names that begin with ease have the curves that they have in CSS.
-constexpr std::array plain_laws{
-    Word<VelocityLaw>{"constant", VelocityLaw::constant},
-    Word<VelocityLaw>{"accelerate", VelocityLaw::accelerate},
-    Word<VelocityLaw>{"decelerate", VelocityLaw::decelerate},
-    Word<VelocityLaw>{"accelerate-decelerate", VelocityLaw::accelerate_decelerate},
-    Word<VelocityLaw>{"hold", VelocityLaw::hold},
-    Word<VelocityLaw>{"ease", bezier(0.25, 0.1, 0.25, 1)},
-    Word<VelocityLaw>{"ease-in", bezier(0.42, 0, 1, 1)},
-    Word<VelocityLaw>{"ease-out", bezier(0, 0, 0.58, 1)},
-    Word<VelocityLaw>{"ease-in-out", bezier(0.42, 0, 0.58, 1)},
-};
-
 struct Parameter {
     std::string_view name;
     Range range;
@@ -56,8 +33,7 @@ constexpr std::array bezier_parameters{Parameter{"x1", control_x}, Parameter{"y1
 
 /// A law with numbers in parentheses.
 struct CallForm {
-    std::string_view name;
-    std::string_view form;
+    const LawWord& word;
     std::span<const Parameter> parameters;
     bool whole_numbers;
     VelocityLaw (*make)(std::span<const double> numbers);
@@ -65,25 +41,29 @@ struct CallForm {
 
 constexpr std::array calls{
     CallForm{
-        "steps", "steps(n)", step_parameters, true,
+        word_of(VelocityLaw::Kind::steps), step_parameters, true,
         [](std::span<const double> n) { return VelocityLaw::in_steps(static_cast<std::uint16_t>(n[0])); }},
-    CallForm{"bezier", "bezier(x1,y1,x2,y2)", bezier_parameters, false,
-             [](std::span<const double> n) { return bezier(n[0], n[1], n[2], n[3]); }},
+    CallForm{word_of(VelocityLaw::Kind::bezier), bezier_parameters, false,
+             [](std::span<const double> n) { return bezier_law(n[0], n[1], n[2], n[3]); }},
 };
 
 constexpr auto law_names = [] {
-    std::array<std::string_view, plain_laws.size() + calls.size()> names;
-    const auto rest = std::ranges::transform(plain_laws, names.begin(), &Word<VelocityLaw>::name).out;
-    std::ranges::transform(calls, rest, &CallForm::name);
+    std::array<std::string_view, law_words.size()> names;
+    std::ranges::transform(law_words, names.begin(), &LawWord::keyword);
     return names;
 }();
+
+const CallForm& form_of(const LawWord& word)
+{
+    return *std::ranges::find(calls, &word, [](const CallForm& call) { return &call.word; });
+}
 
 std::string hint_for(std::string_view form) { return "write \"" + std::string{form} + "\""; }
 
 std::string count_of_numbers(const CallForm& call)
 {
     const std::size_t count = call.parameters.size();
-    return std::string{call.name} + " takes " +
+    return std::string{call.word.keyword} + " takes " +
            (count == 1 ? "one number" : std::to_string(count) + " numbers");
 }
 
@@ -120,14 +100,13 @@ std::optional<VelocityLaw> LawReader::read()
     scanner_.skip_space();
     const std::size_t begin = scanner_.offset();
     const std::string_view name = take_name();
-    const auto call = std::ranges::find(calls, name, &CallForm::name);
-    if (call != calls.end())
-        return read_call(*call);
-    const auto law = std::ranges::find(plain_laws, name, &Word<VelocityLaw>::name);
-    if (law == plain_laws.end())
+    const auto word = std::ranges::find(law_words, name, &LawWord::keyword);
+    if (word == law_words.end())
         fail(begin, "unknown law " + in_quotes(name), word_hint(name, law_names));
+    else if (word->has_numbers())
+        return read_call(form_of(*word));
     else if (expect_end(name))
-        return law->meaning;
+        return word->law;
     return std::nullopt;
 }
 
@@ -142,7 +121,7 @@ std::optional<VelocityLaw> LawReader::read_call(const CallForm& call)
             return std::nullopt;
         numbers.push_back(*number);
     }
-    if (!expect(')', call) || !expect_end(call.form))
+    if (!expect(')', call) || !expect_end(call.word.form))
         return std::nullopt;
     return call.make(numbers);
 }
@@ -155,9 +134,9 @@ std::optional<double> LawReader::read_number(const CallForm& call, const Paramet
     const auto number = scanner_.number();
     const std::string name{parameter.name};
     if (is_missing)
-        fail(begin, count_of_numbers(call), hint_for(call.form));
+        fail(begin, count_of_numbers(call), hint_for(call.word.form));
     else if (!is_number)
-        fail(begin, "a number is expected here", hint_for(call.form));
+        fail(begin, "a number is expected here", hint_for(call.word.form));
     else if (!number || *number < parameter.range.low || *number > parameter.range.high)
         fail(begin, name + " is out of range", allowed(parameter.range));
     else if (call.whole_numbers && std::trunc(*number) != *number)
@@ -176,8 +155,8 @@ bool LawReader::expect(char mark, const CallForm& call)
         return true;
     }
     if (mark == '(' || found == ')' || found == ',')
-        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), hint_for(call.form));
-    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", hint_for(call.form));
+        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), hint_for(call.word.form));
+    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", hint_for(call.word.form));
 }
 
 bool LawReader::expect_end(std::string_view form)
@@ -224,8 +203,7 @@ std::optional<VelocityLaw> read_law(const kdl::Value& value, Report& report)
 std::vector<std::string_view> law_forms()
 {
     std::vector<std::string_view> forms;
-    std::ranges::transform(plain_laws, std::back_inserter(forms), &Word<VelocityLaw>::name);
-    std::ranges::transform(calls, std::back_inserter(forms), &CallForm::form);
+    std::ranges::transform(law_words, std::back_inserter(forms), &LawWord::form);
     return forms;
 }
 

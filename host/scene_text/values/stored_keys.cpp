@@ -3,11 +3,11 @@
 #include "host/program/failure.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene_text/values/grid.hpp"
+#include "host/words/law_words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <string_view>
 
 namespace kfast::scene_text {
 
@@ -15,16 +15,6 @@ namespace {
 
 using art::Ease;
 using art::EaseKind;
-
-struct NamedLaw {
-    std::string_view name;
-    std::array<double, 4> controls;
-};
-
-constexpr std::array<NamedLaw, 4> named_laws{{{"ease", {0.25, 0.1, 0.25, 1}},
-                                              {"ease-in", {0.42, 0, 1, 1}},
-                                              {"ease-out", {0, 0, 0.58, 1}},
-                                              {"ease-in-out", {0.42, 0, 0.58, 1}}}};
 
 using StoredControls = std::array<std::int32_t, 4>;
 
@@ -37,10 +27,12 @@ StoredControls stored(const std::array<double, 4>& numbers)
 
 std::string law_of(const StoredControls& numbers)
 {
-    for (const NamedLaw& law : named_laws)
-        if (stored(law.controls) == numbers)
-            return std::string{law.name};
-    std::string text = "bezier(";
+    const auto at = [&numbers](std::size_t i) { return static_cast<std::int16_t>(numbers[i]); };
+    const auto keyword = keyword_of(VelocityLaw::bezier(at(0), at(1), at(2), at(3)));
+    if (!keyword.empty())
+        return std::string{keyword};
+    std::string text{word_of(VelocityLaw::Kind::bezier).keyword};
+    text += '(';
     for (const std::int32_t& control : numbers)
         text += decimal(control, controls) + (&control == &numbers.back() ? ')' : ',');
     return text;
@@ -51,13 +43,13 @@ std::string law_of(const StoredControls& numbers)
 std::string law_of(const Ease& ease)
 {
     if (ease.kind == EaseKind::hold)
-        return "hold";
+        return std::string{keyword_of(VelocityLaw::hold)};
     if (ease.kind == EaseKind::linear)
-        return "constant";
+        return std::string{keyword_of(VelocityLaw::constant)};
     const StoredControls numbers =
         stored({std::clamp(ease.x1, 0.0, 1.0), ease.y1, std::clamp(ease.x2, 0.0, 1.0), ease.y2});
     if (numbers[0] == numbers[1] && numbers[2] == numbers[3])
-        return "constant";
+        return std::string{keyword_of(VelocityLaw::constant)};
     return law_of(numbers);
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("a single value has no form")
 TEST_CASE("degrees are rounded to nearest")
 {
     for (std::int32_t degrees = -30'000; degrees <= 30'000; ++degrees)
-        REQUIRE(in_unit(static_cast<std::uint32_t>(degrees), degree_unit) ==
+        REQUIRE(in_unit(static_cast<std::uint32_t>(degrees), kfb::values::degree_unit) ==
                 std::lround(degrees * 65536.0 / 360));
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("what is written is read back")
             if (round % 3 == 0)
                 value = value / 128 * 128;
             if (round % 3 == 1)
-                value = in_unit(static_cast<std::uint32_t>(value % 6000), degree_unit);
+                value = in_unit(static_cast<std::uint32_t>(value % 6000), kfb::values::degree_unit);
         }
         REQUIRE(comes_back(values));
     }

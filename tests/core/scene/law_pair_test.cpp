@@ -1,4 +1,4 @@
-#include "core/time/velocity_law.hpp"
+#include "core/scene/track_view.hpp"
 
 #include "tests/bytes.hpp"
 
