@@ -37,25 +37,25 @@ std::vector<NodeSchema> all_nodes()
     const auto add = [&nodes](std::vector<NodeSchema> words) {
         std::ranges::move(words, std::back_inserter(nodes));
     };
-    add({version_words(), canvas_words()});
-    add(palette_words());
-    add(input_words());
-    add({object_words(), group_words()});
-    add(use_words());
-    add(symbol_words());
-    add(key_words());
-    add(track_words());
-    add({at_words()});
-    add(shape_words());
-    add(wire_words());
-    add(mesh_words());
-    add({empty_words(), skeleton_words()});
-    add(backbone_words());
-    add(weights_words());
-    add({bones_words(), bone_words()});
-    add(pose_words());
-    add(reach_words());
-    add({clip_words(), event_words()});
+    add({version_schema(), canvas_schema()});
+    add(palette_schema());
+    add(input_schema());
+    add({object_schema(), group_schema()});
+    add(use_schema());
+    add(symbol_schema());
+    add(key_schema());
+    add(track_schema());
+    add({at_schema()});
+    add(shape_schema());
+    add(wire_schema());
+    add(mesh_schema());
+    add({empty_schema(), skeleton_schema()});
+    add(backbone_schema());
+    add(weights_schema());
+    add({bones_schema(), bone_schema()});
+    add(pose_schema());
+    add(reach_schema());
+    add({clip_schema(), event_schema()});
     return nodes;
 }
 
@@ -67,7 +67,7 @@ LanguageSchema language_schema()
     const auto fonts = FontShelf::bundled_names();
     return {{outermost.begin(), outermost.end()},
             all_nodes(),
-            quantity_words(),
+            quantity_schema(),
             law_forms(),
             known_colour_names(),
             {fonts.begin(), fonts.end()}};

@@ -125,7 +125,7 @@ std::string_view property_of_object(const kdl::Node& node, const kdl::Property& 
 {
     static const auto names = [] {
         std::vector<std::string_view> list;
-        std::ranges::transform(object_property_words(), std::back_inserter(list), &PropertySchema::name);
+        std::ranges::transform(object_property_schema(), std::back_inserter(list), &PropertySchema::name);
         return list;
     }();
     return is_shape(node.name) || is_wire(node.name) ? meaning_among(names, property.name)
@@ -233,7 +233,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     return scene;
 }
 
-NodeSchema version_words()
+NodeSchema version_schema()
 {
     return {version_form.name, version_form, {ValueKind::whole({language_version, language_version})}};
 }

@@ -18,7 +18,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
                                 Diagnostics& diagnostics);
 
 /// The schema of the node that begins a scene.
-schema::NodeSchema version_words();
+schema::NodeSchema version_schema();
 /// The names of the nodes on the outermost level.
 std::span<const std::string_view> names_outermost();
 

@@ -96,7 +96,7 @@ struct NodeSchema {
 };
 
 template <class Target, class Context, std::size_t count>
-std::vector<PropertySchema> words_of(const std::array<PropertyRule<Target, Context>, count>& rules)
+std::vector<PropertySchema> schema_of(const std::array<PropertyRule<Target, Context>, count>& rules)
 {
     std::vector<PropertySchema> words;
     words.reserve(count);

@@ -102,9 +102,9 @@ private:
 }
 
 std::optional<std::vector<Outline>> set_text(std::string_view text, const TextStyle& style,
-                                             std::size_t max_points)
+                                             std::size_t points_left)
 {
-    TextSetter setter{style, max_points};
+    TextSetter setter{style, points_left};
     double baseline = style.at.y;
     for (const std::u32string& line : lines_of(text)) {
         if (!setter.set(line, baseline))

@@ -22,8 +22,8 @@ struct TextStyle {
 };
 
 /// The strokes of `text`, letter by letter, line by line; lines end with LF. The font must have all of its
-/// characters. Nothing when there are more than `max_points` points.
+/// characters. Nothing when there are more than `points_left` points.
 std::optional<std::vector<Outline>> set_text(std::string_view text, const TextStyle& style,
-                                             std::size_t max_points);
+                                             std::size_t points_left);
 
 }

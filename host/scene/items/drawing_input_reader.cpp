@@ -100,6 +100,6 @@ DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context)
     return input;
 }
 
-std::vector<PropertySchema> drawing_input_words() { return words_of(drawing_rules); }
+std::vector<PropertySchema> drawing_input_schema() { return schema_of(drawing_rules); }
 
 }

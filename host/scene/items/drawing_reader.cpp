@@ -229,6 +229,6 @@ std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names)
     return names;
 }
 
-NodeSchema empty_words() { return {empty_form.name, empty_form}; }
+NodeSchema empty_schema() { return {empty_form.name, empty_form}; }
 
 }

@@ -63,6 +63,6 @@ private:
 
 /// The ids for `names`, some of which are nodes that draw.
 std::vector<std::string_view> drawn_ids(std::vector<std::string_view> names);
-NodeSchema empty_words();
+NodeSchema empty_schema();
 
 }

@@ -172,14 +172,14 @@ void warn_of_unused_inputs(SceneContext& context)
                                    hint_of_unused(entry.input));
 }
 
-std::vector<NodeSchema> input_words()
+std::vector<NodeSchema> input_schema()
 {
-    std::vector<NodeSchema> words{{input_name, number_form, {any_name}, words_of(number_rules)},
-                                  {input_name, text_form, {any_name}, text_input_words()},
+    std::vector<NodeSchema> words{{input_name, number_form, {any_name}, schema_of(number_rules)},
+                                  {input_name, text_form, {any_name}, text_input_schema()},
                                   {input_name,
                                    drawing_form,
                                    {any_name},
-                                   drawing_input_words(),
+                                   drawing_input_schema(),
                                    {shape_names().begin(), shape_names().end()}}};
     for (std::size_t i = 0; i < words.size(); ++i) {
         PropertySchema& kind = words[i].properties.front();

@@ -40,16 +40,16 @@ void add_input(const kdl::Node& node, SceneContext& context);
 void warn_of_unused_inputs(SceneContext& context);
 
 /// The schema of number, text and drawing inputs.
-std::vector<NodeSchema> input_words();
+std::vector<NodeSchema> input_schema();
 
 /// Reads what `node`, an input, says about a drawing; what is wrong is reported.
 DrawingInput read_drawing_input(const kdl::Node& node, SceneContext& context);
 
-std::vector<PropertySchema> drawing_input_words();
+std::vector<PropertySchema> drawing_input_schema();
 
 /// Reads what an input node of kind=text says. What is wrong is reported, and then a placeholder is returned.
 TextInput read_text_input(const kdl::Node& node, SceneContext& context);
 
-std::vector<PropertySchema> text_input_words();
+std::vector<PropertySchema> text_input_schema();
 
 }

@@ -134,10 +134,10 @@ std::string read_group_name(const kdl::Node& node, SceneContext& context)
 /// The names of the nodes that a group may hold.
 std::vector<std::string_view> names_inside()
 {
-    std::vector<std::string_view> names{item_names().begin(), item_names().end()};
-    names.push_back(key_name);
-    names.push_back(track_name);
-    return names;
+    std::vector<std::string_view> inside{item_names().begin(), item_names().end()};
+    inside.push_back(key_name);
+    inside.push_back(track_name);
+    return inside;
 }
 
 void report_unknown(const kdl::Node& node, SceneContext& context)
@@ -203,11 +203,11 @@ std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& c
                 take_path(content.timed)};
 }
 
-NodeSchema group_words()
+NodeSchema group_schema()
 {
     auto inside = names_inside();
     std::ranges::replace(inside, key_name, group_key_id);
-    return {group_form.name, group_form, {any_name}, words_of(group_rules), inside};
+    return {group_form.name, group_form, {any_name}, schema_of(group_rules), inside};
 }
 
 }

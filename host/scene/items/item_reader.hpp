@@ -29,6 +29,6 @@ inline constexpr std::string_view group_name = "group";
 /// it.
 std::optional<Item> read_group(const kdl::Node& node, int depth, SceneContext& context);
 
-NodeSchema group_words();
+NodeSchema group_schema();
 
 }

@@ -143,18 +143,18 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const K
     return key;
 }
 
-std::vector<NodeSchema> key_words()
+std::vector<NodeSchema> key_schema()
 {
     return {{key_name,
              drawing_key_form,
              {any_moment},
-             words_of(object_key_rules),
+             schema_of(object_key_rules),
              drawn_ids(names_inside(KeyHolder::object))},
-            {group_key_id, group_key_form, {any_moment}, words_of(group_key_rules)},
+            {group_key_id, group_key_form, {any_moment}, schema_of(group_key_rules)},
             {symbol_key_id,
              drawing_key_form,
              {any_time},
-             words_of(symbol_key_rules),
+             schema_of(symbol_key_rules),
              drawn_ids(names_inside(KeyHolder::symbol))}};
 }
 

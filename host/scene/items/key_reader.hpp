@@ -51,6 +51,6 @@ std::optional<ItemKey> read_key(const kdl::Node& node, KeyHolder holder, const K
                                 SceneContext& context);
 
 /// The schema of keys of objects, of groups and uses, and of symbols.
-std::vector<NodeSchema> key_words();
+std::vector<NodeSchema> key_schema();
 
 }

@@ -169,6 +169,6 @@ ObjectProperties read_object_properties(const kdl::Node& node, SourceSpan place,
     return properties;
 }
 
-std::vector<PropertySchema> object_property_words() { return words_of(object_rules); }
+std::vector<PropertySchema> object_property_schema() { return schema_of(object_rules); }
 
 }

@@ -30,6 +30,6 @@ struct ObjectProperties {
 /// Reports what is wrong; a lack of both fill and stroke at `place`.
 ObjectProperties read_object_properties(const kdl::Node& node, SourceSpan place, SceneContext& context);
 
-std::vector<PropertySchema> object_property_words();
+std::vector<PropertySchema> object_property_schema();
 
 }

@@ -311,12 +311,12 @@ std::optional<Item> read_object(const kdl::Node& node, SceneContext& context)
     return item;
 }
 
-NodeSchema object_words()
+NodeSchema object_schema()
 {
     return {object_name,
             object_form,
             {any_name},
-            object_property_words(),
+            object_property_schema(),
             drawn_ids(names_in_drawing(KeyHolder::object))};
 }
 

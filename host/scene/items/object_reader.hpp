@@ -15,6 +15,6 @@ inline constexpr std::string_view object_name = "object";
 /// Nothing when the node is no usable object; what is wrong is reported.
 std::optional<Item> read_object(const kdl::Node& node, SceneContext& context);
 
-NodeSchema object_words();
+NodeSchema object_schema();
 
 }

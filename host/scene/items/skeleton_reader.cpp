@@ -137,7 +137,7 @@ std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneCont
     return read;
 }
 
-NodeSchema skeleton_words()
+NodeSchema skeleton_schema()
 {
     return {skeleton_name, skeleton_form, {}, {}, {names_inside.begin(), names_inside.end()}};
 }

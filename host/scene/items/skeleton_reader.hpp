@@ -14,6 +14,6 @@ namespace kfast::scene {
 /// one give none. What is wrong is reported, and then left out.
 std::vector<BackboneKey> read_skeletons(std::span<const ItemKey> keys, SceneContext& context);
 
-NodeSchema skeleton_words();
+NodeSchema skeleton_schema();
 
 }

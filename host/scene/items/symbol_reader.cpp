@@ -229,7 +229,7 @@ void move_symbols(Scene& scene, SceneContext& context)
     SymbolMover{scene, context}.move_used_by(scene.items);
 }
 
-std::vector<NodeSchema> symbol_words()
+std::vector<NodeSchema> symbol_schema()
 {
     std::vector<std::string_view> drawn{symbol_key_id};
     std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));

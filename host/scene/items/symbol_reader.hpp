@@ -26,6 +26,6 @@ void check_unused_symbols(SceneContext& context);
 void move_symbols(Scene& scene, SceneContext& context);
 
 /// The schema of symbols of items, and of those that are drawings.
-std::vector<NodeSchema> symbol_words();
+std::vector<NodeSchema> symbol_schema();
 
 }

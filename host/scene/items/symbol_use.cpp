@@ -101,11 +101,12 @@ std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, SceneContext& c
     return use;
 }
 
-std::vector<NodeSchema> use_words()
+std::vector<NodeSchema> use_schema()
 {
     const ValueKind coordinate = kind_of(Property::x);
-    return {{use_name, items_form, {any_name, coordinate}, words_of(items_rules), {group_key_id, track_name}},
-            {drawing_use_id, drawing_form, {any_name, coordinate}, words_of(drawing_rules)}};
+    return {
+        {use_name, items_form, {any_name, coordinate}, schema_of(items_rules), {group_key_id, track_name}},
+        {drawing_use_id, drawing_form, {any_name, coordinate}, schema_of(drawing_rules)}};
 }
 
 namespace {

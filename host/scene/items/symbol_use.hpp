@@ -58,7 +58,7 @@ std::optional<SymbolUse> read_items_use(const kdl::Node& node, SceneContext& con
 std::optional<SymbolUse> read_drawing_use(const kdl::Node& node, SceneContext& context);
 
 /// The schema of a use as an item, and of one among shapes.
-std::vector<NodeSchema> use_words();
+std::vector<NodeSchema> use_schema();
 
 /// What `symbol` holds, before it has been read. If it only uses others, it is what the first of them is.
 SymbolEntry::Kind symbol_kind(const SymbolEntry& symbol, SymbolTable& symbols);

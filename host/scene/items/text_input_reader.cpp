@@ -163,6 +163,6 @@ TextInput read_text_input(const kdl::Node& node, SceneContext& context)
     return input;
 }
 
-std::vector<PropertySchema> text_input_words() { return words_of(text_input_rules); }
+std::vector<PropertySchema> text_input_schema() { return schema_of(text_input_rules); }
 
 }

@@ -217,7 +217,7 @@ std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder,
     return TrackReader{node, *quantity, context}.read();
 }
 
-std::vector<NodeSchema> track_words()
+std::vector<NodeSchema> track_schema()
 {
     constexpr ValueKind quantity = ValueKind::one_of<quantities>();
     constexpr std::size_t along = 1;
@@ -225,11 +225,11 @@ std::vector<NodeSchema> track_words()
     const auto place = static_cast<std::size_t>(name - quantities.begin());
     ValueKind path = quantity;
     path.words = quantity.words.subspan(place, along);
-    return {{track_name, track_form, {quantity}, words_of(track_rules), {at_name}},
-            {track_name, along_form, {path, any_path}, words_of(along_rules), {at_name}}};
+    return {{track_name, track_form, {quantity}, schema_of(track_rules), {at_name}},
+            {track_name, along_form, {path, any_path}, schema_of(along_rules), {at_name}}};
 }
 
-std::vector<PropertySchema> quantity_words()
+std::vector<PropertySchema> quantity_schema()
 {
     std::vector<PropertySchema> words;
     words.reserve(std::size(quantities));

@@ -18,8 +18,8 @@ inline constexpr std::string_view track_name = "track";
 std::optional<TimedQuantity> read_track(const kdl::Node& node, KeyHolder holder, SceneContext& context);
 
 /// The schema of plain tracks, and of those along a path.
-std::vector<NodeSchema> track_words();
+std::vector<NodeSchema> track_schema();
 /// The quantities that a track may animate, and their values.
-std::vector<PropertySchema> quantity_words();
+std::vector<PropertySchema> quantity_schema();
 
 }

@@ -94,11 +94,11 @@ std::vector<Outline> read_pie(const kdl::Node& node, std::size_t, SceneContext& 
     return {shape->inner ? ring_piece(shape->sector, *shape->inner) : pie(shape->sector)};
 }
 
-std::vector<std::vector<PropertySchema>> arc_words()
+std::vector<std::vector<PropertySchema>> arc_schema()
 {
-    return {words_of(arc_rules), words_of(elliptical_rules)};
+    return {schema_of(arc_rules), schema_of(elliptical_rules)};
 }
 
-std::vector<PropertySchema> pie_words() { return words_of(pie_rules); }
+std::vector<PropertySchema> pie_schema() { return schema_of(pie_rules); }
 
 }

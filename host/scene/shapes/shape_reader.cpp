@@ -61,7 +61,7 @@ std::vector<Outline> read_curve(const kdl::Node& node, std::size_t, SceneContext
     return {spline(*spots, closed)};
 }
 
-std::vector<PropertySchema> curve_words() { return words_of(curve_rules); }
+std::vector<PropertySchema> curve_schema() { return schema_of(curve_rules); }
 
 /// The values of the properties of circle, ellipse and rect.
 struct Radii {
@@ -134,7 +134,7 @@ constexpr std::array box_values{coordinate, coordinate, extent};
 template <const auto& rules>
 Words words_of_rules()
 {
-    return {words_of(rules)};
+    return {schema_of(rules)};
 }
 
 Words no_properties() { return {{}}; }
@@ -153,11 +153,11 @@ constexpr std::array shapes{
           read_rectangle,
           box_values,
           words_of_rules<rect_rules>},
-    Shape{{"arc", "arc CX CY r=RADIUS from=DEGREES to=DEGREES", 2, 2}, read_arc, spot_values, arc_words},
+    Shape{{"arc", "arc CX CY r=RADIUS from=DEGREES to=DEGREES", 2, 2}, read_arc, spot_values, arc_schema},
     Shape{{"pie", "pie CX CY r=RADIUS from=DEGREES to=DEGREES inner=RADIUS", 2, 2},
           read_pie,
           spot_values,
-          [] { return Words{pie_words()}; }},
+          [] { return Words{pie_schema()}; }},
     Shape{{"polygon", "polygon X Y X Y X Y …", 6, NodeForm::any_number},
           read_polygon,
           spot_values,
@@ -165,16 +165,16 @@ constexpr std::array shapes{
     Shape{{"regular", "regular CX CY sides=NUMBER r=RADIUS turn=DEGREES", 2, 2},
           read_regular,
           spot_values,
-          [] { return Words{regular_words()}; }},
+          [] { return Words{regular_schema()}; }},
     Shape{{"star", "star CX CY points=NUMBER r=RADIUS inner=RADIUS turn=DEGREES", 2, 2},
           read_star,
           spot_values,
-          [] { return Words{star_words()}; }},
+          [] { return Words{star_schema()}; }},
     Shape{{"line", "line X Y X Y …", 4, NodeForm::any_number}, read_line, spot_values, no_properties},
     Shape{{"curve", "curve X Y X Y … closed=#true", 4, NodeForm::any_number},
           read_curve,
           spot_values,
-          [] { return Words{curve_words()}; }},
+          [] { return Words{curve_schema()}; }},
     Shape{{"text", "text \"WORDS\" at=\"X,Y\" size=PIXELS font=FONT", 0, 1}, read_text_shape, {}, no_words},
 };
 
@@ -199,9 +199,9 @@ std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, 
     return shape.read(node, points_left, context);
 }
 
-std::vector<NodeSchema> shape_words()
+std::vector<NodeSchema> shape_schema()
 {
-    std::vector<NodeSchema> words{text_words(), label_words()};
+    std::vector<NodeSchema> words{text_schema(), label_schema()};
     for (const Shape& shape : shapes)
         for (auto& properties : shape.properties())
             words.push_back({shape.form.name,

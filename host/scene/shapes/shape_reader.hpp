@@ -20,21 +20,21 @@ bool is_shape(std::string_view name);
 /// and texts use `points_left`, and only paths are sure to be in_range().
 std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-std::vector<NodeSchema> shape_words();
+std::vector<NodeSchema> shape_schema();
 
 /// As read_shape(), for the nodes star and regular, whose form has been checked.
 std::vector<Outline> read_star(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 std::vector<Outline> read_regular(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-std::vector<PropertySchema> star_words();
-std::vector<PropertySchema> regular_words();
+std::vector<PropertySchema> star_schema();
+std::vector<PropertySchema> regular_schema();
 
 /// As read_shape(), for the nodes arc and pie, whose form has been checked.
 std::vector<Outline> read_arc(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 std::vector<Outline> read_pie(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
 /// The properties of arcs of circles, and of ellipses.
-std::vector<std::vector<PropertySchema>> arc_words();
-std::vector<PropertySchema> pie_words();
+std::vector<std::vector<PropertySchema>> arc_schema();
+std::vector<PropertySchema> pie_schema();
 
 }

@@ -74,7 +74,7 @@ std::vector<Outline> read_regular(const kdl::Node& node, std::size_t, SceneConte
     return {regular_polygon(*centre, shape.count, shape.radius, shape.rotation)};
 }
 
-std::vector<PropertySchema> star_words() { return words_of(star_rules); }
-std::vector<PropertySchema> regular_words() { return words_of(regular_rules); }
+std::vector<PropertySchema> star_schema() { return schema_of(star_rules); }
+std::vector<PropertySchema> regular_schema() { return schema_of(regular_rules); }
 
 }

@@ -167,9 +167,9 @@ std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
     return label;
 }
 
-NodeSchema label_words()
+NodeSchema label_schema()
 {
-    auto properties = text_property_words(TextKind::label);
+    auto properties = text_property_schema(TextKind::label);
     std::ranges::find(properties, "input", &PropertySchema::name)->required = true;
     return {label_form.name, label_form, {}, properties};
 }
@@ -226,9 +226,9 @@ std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_l
     return std::move(outlines).value_or(std::vector<Outline>{});
 }
 
-NodeSchema text_words()
+NodeSchema text_schema()
 {
-    return {words_form.name, words_form, {any_text}, text_property_words(TextKind::fixed)};
+    return {words_form.name, words_form, {any_text}, text_property_schema(TextKind::fixed)};
 }
 
 }

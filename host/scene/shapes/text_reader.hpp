@@ -21,11 +21,11 @@ void report_label_among_shapes(const kdl::Node& node, SceneContext& context);
 /// Reads `node`, which is a label. Reports what is wrong and then returns nothing.
 std::optional<Label> read_label(const kdl::Node& node, SceneContext& context);
 
-NodeSchema label_words();
+NodeSchema label_schema();
 
 /// As read_shape(), for the node text, whose form has been checked but for its words.
 std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
-NodeSchema text_words();
+NodeSchema text_schema();
 
 }

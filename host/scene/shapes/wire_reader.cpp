@@ -175,7 +175,7 @@ std::optional<Mesh> read_mesh(const kdl::Node& node, SceneContext& context)
 
 std::vector<std::string_view> names_inside_mesh() { return {names_inside.begin(), names_inside.end()}; }
 
-std::vector<NodeSchema> mesh_words()
+std::vector<NodeSchema> mesh_schema()
 {
     const ValueKind coordinate = ValueKind::pixels(coordinates);
     const ValueKind vertex = ValueKind::whole(whole_numbers);
@@ -260,13 +260,13 @@ std::vector<Wire> read_wires(const kdl::Node& node, SceneContext& context)
     return shape.read(node, context);
 }
 
-std::vector<NodeSchema> wire_words()
+std::vector<NodeSchema> wire_schema()
 {
     std::vector<NodeSchema> words;
     for (const WireShape& shape : shapes) {
         NodeSchema own{shape.form.name, shape.form, {shape.values.begin(), shape.values.end()}};
         if (shape.read == read_polyline)
-            own.properties = words_of(polyline_rules);
+            own.properties = schema_of(polyline_rules);
         if (shape.form.takes_nodes)
             own.inside = names_inside_mesh();
         words.push_back(std::move(own));

@@ -21,7 +21,7 @@ std::optional<Mesh> read_mesh(const kdl::Node& node, SceneContext& context);
 
 std::vector<std::string_view> names_inside_mesh();
 /// The schema of these.
-std::vector<NodeSchema> mesh_words();
+std::vector<NodeSchema> mesh_schema();
 
 /// The nodes that draw something with a depth: wire, mesh, cuboid.
 std::span<const std::string_view> wire_names();
@@ -31,6 +31,6 @@ bool is_wire(std::string_view name);
 /// cuboid may be out of range.
 std::vector<Wire> read_wires(const kdl::Node& node, SceneContext& context);
 
-std::vector<NodeSchema> wire_words();
+std::vector<NodeSchema> wire_schema();
 
 }

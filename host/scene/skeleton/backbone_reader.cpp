@@ -237,7 +237,7 @@ std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const Read
     return BackboneReader{nodes, before, context}.read();
 }
 
-std::vector<NodeSchema> backbone_words()
+std::vector<NodeSchema> backbone_schema()
 {
     std::vector<NodeSchema> words{{backbone_form.name, backbone_form, {ValueKind::pixels(coordinates)}}};
     for (const Side& side : sides) {

@@ -36,6 +36,6 @@ std::optional<ReadBackbone> read_backbone(const BackboneNodes& nodes, const Read
                                           SceneContext& context);
 
 /// The schema of a backbone, and of what gives its width.
-std::vector<NodeSchema> backbone_words();
+std::vector<NodeSchema> backbone_schema();
 
 }

@@ -139,10 +139,10 @@ void BoneReader::find_parent(WrittenBone& bone)
                                       suggestion(*name, known));
 }
 
-NodeSchema bone_words()
+NodeSchema bone_schema()
 {
     return {
-        bone_name, bone_form, {any_name, ValueKind::pixels(coordinates)}, words_of(bone_rules), {bone_name}};
+        bone_name, bone_form, {any_name, ValueKind::pixels(coordinates)}, schema_of(bone_rules), {bone_name}};
 }
 
 std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,

@@ -55,7 +55,7 @@ private:
     bool is_full_ = false; ///< has been reported
 };
 
-NodeSchema bone_words();
+NodeSchema bone_schema();
 
 /// The bone that is called `name`; reports it at `place` if there is none.
 std::optional<std::size_t> read_bone_name(std::string_view name, SourceSpan place,

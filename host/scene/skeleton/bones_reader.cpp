@@ -248,10 +248,10 @@ void warn_of_unused_skeletons(SceneContext& context)
                 "add skin=" + visible(skeleton.bones.name) + " to an object, or remove it");
 }
 
-NodeSchema bones_words()
+NodeSchema bones_schema()
 {
     return {
-        bones_name, bones_form, {any_name}, words_of(bones_rules), {known_nodes.begin(), known_nodes.end()}};
+        bones_name, bones_form, {any_name}, schema_of(bones_rules), {known_nodes.begin(), known_nodes.end()}};
 }
 
 }

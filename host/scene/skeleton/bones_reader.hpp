@@ -16,6 +16,6 @@ void add_skeleton(const kdl::Node& node, SceneContext& context);
 /// Called after all objects have been read.
 void warn_of_unused_skeletons(SceneContext& context);
 
-NodeSchema bones_words();
+NodeSchema bones_schema();
 
 }

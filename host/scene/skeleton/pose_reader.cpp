@@ -259,12 +259,12 @@ void PoseReader::warn_of_idle_laws()
     }
 }
 
-std::vector<NodeSchema> pose_words()
+std::vector<NodeSchema> pose_schema()
 {
     constexpr std::string_view bone = "bone of pose";
-    return {{pose_name, timed_form, {any_moment, any_name}, words_of(pose_rules), {bone}},
+    return {{pose_name, timed_form, {any_moment, any_name}, schema_of(pose_rules), {bone}},
             {pose_name, definition_form, {any_name}, {}, {bone}},
-            {bone, bone_form("BONE"), {}, words_of(bone_rules), {}, true}};
+            {bone, bone_form("BONE"), {}, schema_of(bone_rules), {}, true}};
 }
 
 }

@@ -85,6 +85,6 @@ private:
 };
 
 /// The schema of poses with a time and without, and of the bones in them.
-std::vector<NodeSchema> pose_words();
+std::vector<NodeSchema> pose_schema();
 
 }

@@ -173,11 +173,11 @@ std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& 
     return Reach{*bone, *bend, std::move(*targets), place};
 }
 
-std::vector<NodeSchema> reach_words()
+std::vector<NodeSchema> reach_schema()
 {
     constexpr std::string_view target = "at of reach";
-    return {{reach_name, reach_form, {any_name}, words_of(reach_rules), {target}},
-            {target, at_form, {any_time, ValueKind::pixels(coordinates)}, words_of(at_rules)}};
+    return {{reach_name, reach_form, {any_name}, schema_of(reach_rules), {target}},
+            {target, at_form, {any_time, ValueKind::pixels(coordinates)}, schema_of(at_rules)}};
 }
 
 namespace {

@@ -48,7 +48,7 @@ Vec2 target_at(const Reach& reach, Time time);
 std::optional<Reach> read_reach(const kdl::Node& node, const std::vector<Bone>& bones, SceneContext& context);
 
 /// The schema of a reach, and of its targets.
-std::vector<NodeSchema> reach_words();
+std::vector<NodeSchema> reach_schema();
 
 /// A bone and its parent at a time, without their angles.
 struct Arm {

@@ -233,7 +233,7 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
     return weights_of_regions(skeleton, spots, *spread, place, context);
 }
 
-std::vector<NodeSchema> weights_words()
+std::vector<NodeSchema> weights_schema()
 {
     constexpr std::string_view bone = "bone of weights";
     return {{weights_name, weights_form, {ValueKind::one_of<spreads>()}, {}, {points_name, bone}},

@@ -25,6 +25,6 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
                                                  SceneContext& context);
 
 /// The schema of weights, of those of single points, and of the bones in both.
-std::vector<NodeSchema> weights_words();
+std::vector<NodeSchema> weights_schema();
 
 }

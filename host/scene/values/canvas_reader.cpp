@@ -106,9 +106,9 @@ void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context)
         context.length = read_length(*canvas.length, context);
 }
 
-NodeSchema canvas_words()
+NodeSchema canvas_schema()
 {
-    return {canvas_form.name, canvas_form, {ValueKind::whole(sizes)}, words_of(canvas_rules)};
+    return {canvas_form.name, canvas_form, {ValueKind::whole(sizes)}, schema_of(canvas_rules)};
 }
 
 namespace {
@@ -155,7 +155,7 @@ void read_palette(const kdl::Node& node, SceneContext& context)
             read_named_colour(colour, context);
 }
 
-std::vector<NodeSchema> palette_words()
+std::vector<NodeSchema> palette_schema()
 {
     constexpr std::string_view colour = "colour of palette";
     return {{palette_form.name, palette_form, {}, {}, {colour}},

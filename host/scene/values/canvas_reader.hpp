@@ -11,11 +11,11 @@ namespace kfast::scene {
 /// the nodes that follow need: the frame rate, and the length if the canvas gives one.
 void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context);
 
-NodeSchema canvas_words();
+NodeSchema canvas_schema();
 
 /// Declares the names inside the node in `context.palette`.
 void read_palette(const kdl::Node& node, SceneContext& context);
 
-std::vector<NodeSchema> palette_words();
+std::vector<NodeSchema> palette_schema();
 
 }

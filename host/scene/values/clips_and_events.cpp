@@ -65,7 +65,7 @@ std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& nam
     return clip;
 }
 
-NodeSchema clip_words() { return {clip_form.name, clip_form, {any_name}, words_of(clip_rules)}; }
+NodeSchema clip_schema() { return {clip_form.name, clip_form, {any_name}, schema_of(clip_rules)}; }
 
 namespace {
 
@@ -96,6 +96,6 @@ std::optional<Event> read_event(const kdl::Node& node, const Scene& scene, Scene
     return Event{.name = std::string{*name}, .time = *time};
 }
 
-NodeSchema event_words() { return {event_form.name, event_form, {any_time, any_name}}; }
+NodeSchema event_schema() { return {event_form.name, event_form, {any_time, any_name}}; }
 
 }

@@ -24,11 +24,11 @@ inline bool report_beyond_end(const std::string& what, SourceSpan place, Time le
 /// those of the clips before it.
 std::optional<Clip> read_clip(const kdl::Node& node, Time length, NameTable& names, SceneContext& context);
 
-NodeSchema clip_words();
+NodeSchema clip_schema();
 
 /// Nothing when the node gives no usable event; what is wrong is reported. `scene` has its length and loop.
 std::optional<Event> read_event(const kdl::Node& node, const Scene& scene, SceneContext& context);
 
-NodeSchema event_words();
+NodeSchema event_schema();
 
 }

@@ -168,9 +168,9 @@ void note_lines(const TextProperties& properties, SourceSpan place, SceneContext
         context.line_letters = LineLetters{properties.font, place};
 }
 
-std::vector<PropertySchema> text_property_words(TextKind kind)
+std::vector<PropertySchema> text_property_schema(TextKind kind)
 {
-    return kind == TextKind::fixed ? words_of(fixed_rules) : words_of(label_rules);
+    return kind == TextKind::fixed ? schema_of(fixed_rules) : schema_of(label_rules);
 }
 
 }

@@ -38,6 +38,6 @@ std::string other_font(char32_t character, SceneContext& context);
 /// Remembers a text whose letters are lines: the object that draws it may have no stroke.
 void note_lines(const TextProperties& properties, SourceSpan place, SceneContext& context);
 
-std::vector<PropertySchema> text_property_words(TextKind kind);
+std::vector<PropertySchema> text_property_schema(TextKind kind);
 
 }

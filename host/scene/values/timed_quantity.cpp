@@ -78,6 +78,9 @@ std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property prope
     return values;
 }
 
-NodeSchema at_words() { return {at_name, at_form, {any_moment, ValueKind::number({})}, words_of(at_rules)}; }
+NodeSchema at_schema()
+{
+    return {at_name, at_form, {any_moment, ValueKind::number({})}, schema_of(at_rules)};
+}
 
 }

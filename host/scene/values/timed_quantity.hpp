@@ -66,6 +66,6 @@ struct TimedValue {
 std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyDriver& driver,
                                           SceneContext& context);
 
-NodeSchema at_words();
+NodeSchema at_schema();
 
 }

@@ -82,7 +82,7 @@ struct Words : pugi::xml_tree_walker {
     std::string text;
 };
 
-std::string words_of(pugi::xml_node element)
+std::string schema_of(pugi::xml_node element)
 {
     Words words;
     element.traverse(words);
@@ -97,7 +97,7 @@ void report_unread(pugi::xml_node element, const std::string& layer, art::Losses
     if (name.empty() || std::ranges::find(unseen, name) != unseen.end())
         return;
     if (name == "text") {
-        losses.add({"text \"" + words_of(element) + '"', layer, {}, "nothing: turn it into a path"});
+        losses.add({"text \"" + schema_of(element) + '"', layer, {}, "nothing: turn it into a path"});
         return;
     }
     const auto known = std::ranges::find(unread, name, &Unread::name);

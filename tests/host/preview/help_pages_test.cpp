@@ -11,7 +11,7 @@ namespace kfast::test {
 namespace {
 
 /// All words of the pages but those of their numbers.
-std::string words_of(const std::vector<HelpPage>& pages)
+std::string schema_of(const std::vector<HelpPage>& pages)
 {
     std::string words;
     for (const HelpPage& page : pages)
@@ -22,7 +22,7 @@ std::string words_of(const std::vector<HelpPage>& pages)
     return words;
 }
 
-std::string words_of(const std::vector<std::string>& rows)
+std::string schema_of(const std::vector<std::string>& rows)
 {
     std::string words;
     for (const std::string& row : rows)
@@ -40,7 +40,7 @@ TEST_CASE("the help is whole in the smallest window and in a usual terminal: not
 {
     for (const Size cells : {Size{41, 11}, Size{79, 21}, Size{124, 30}, Size{60, 100}}) {
         const auto pages = help_pages(rows, cells);
-        CHECK(words_of(pages) == words_of(rows));
+        CHECK(schema_of(pages) == schema_of(rows));
         for (const HelpPage& page : pages) {
             std::map<std::pair<int, int>, int> taken;
             CHECK(page.cells.width <= cells.width);
