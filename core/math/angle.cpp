@@ -1,5 +1,7 @@
 #include "core/math/angle.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -115,6 +117,7 @@ std::uint32_t inverse_root(std::uint32_t square)
 // and so is what rounding the unit vector adds: together 1/750 px at the edge of a stroke 40 px wide.
 PolarVector to_polar(Point vector)
 {
+    expects(vector != Point{});
     const auto longest =
         static_cast<std::uint32_t>(std::max(std::abs(vector.x.raw()), std::abs(vector.y.raw())));
     const int excess = 17 - std::countl_zero(longest);

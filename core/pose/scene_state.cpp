@@ -1,6 +1,7 @@
 #include "core/pose/scene_state.hpp"
 
 #include "core/bytes/bump_allocator.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/features.hpp"
 
 #include <algorithm>
@@ -37,7 +38,10 @@ SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
 namespace {
 
 std::size_t posed_bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(PosedBone); }
-std::size_t backbone_node_bytes(const SceneView& scene) { return scene.backbone_nodes() * sizeof(BackboneNode); }
+std::size_t backbone_node_bytes(const SceneView& scene)
+{
+    return scene.backbone_nodes() * sizeof(BackboneNode);
+}
 /// With what may be passed over until they are aligned.
 std::size_t space_bytes(const SceneView& scene)
 {
@@ -60,8 +64,9 @@ static_assert(alignof(PosedBone) <= 4 && alignof(BackboneNode) <= 4);
 
 [[gnu::cold]] std::size_t SceneState::bytes_for(const SceneView& scene)
 {
-    return PreparedScene::bytes_for(scene) + space_bytes(scene) + posed_bone_bytes(scene) + backbone_node_bytes(scene) +
-           input_bytes(scene) + InputDrawings::bytes_for(scene) + InputTexts::bytes_for(scene);
+    return PreparedScene::bytes_for(scene) + space_bytes(scene) + posed_bone_bytes(scene) +
+           backbone_node_bytes(scene) + input_bytes(scene) + InputDrawings::bytes_for(scene) +
+           InputTexts::bytes_for(scene);
 }
 
 [[gnu::cold]] SceneState::SceneState(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory)
@@ -102,6 +107,7 @@ SceneTime SceneState::pose(Time time)
 
 void SceneState::set_input(std::uint32_t number, Time place)
 {
+    expects(number < inputs_.size());
     inputs_[number] = std::clamp(place, Time{}, whole_input);
 }
 
