@@ -132,6 +132,15 @@ private:
     std::int32_t raw_ = 0;
 };
 
+/// value / 2^bits, rounded to nearest, halves up. `bits` is at least 1, and 2^(bits - 1) more than `value`
+/// fits.
+template <std::integral T>
+constexpr T rounded_shift(T value, int bits)
+{
+    expects(bits >= 1 && bits < std::numeric_limits<T>::digits);
+    return (value + (T{1} << (bits - 1))) >> bits;
+}
+
 /// value * factor / 2^bits, rounded to nearest, halves up. `bits` is 1 … 62 and the result fits.
 constexpr std::int32_t multiply(std::int32_t value, std::int32_t factor, int bits)
 {

@@ -31,7 +31,7 @@ LabelLayout::LabelLayout(const LabelView& label, std::span<const std::byte> glyp
 PlacedGlyph LabelLayout::next()
 {
     expects(!at_end());
-    const std::int32_t x = (x_ + sixteenth / 2) >> 8;
+    const std::int32_t x = rounded_shift(x_, 8);
     static_assert(sixteenth == 1 << 8);
     const PlacedGlyph placed{static_cast<std::uint32_t>(label_.drawings[number(rest_[0])]),
                              {Fixed::sixteenths(x), Fixed::sixteenths(label_.y)}};

@@ -62,6 +62,9 @@ ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
 
 /// Values of tracks are computed in 1/256 of their unit.
 inline constexpr int fine_bits = 8;
+constexpr std::int32_t to_fine(std::int32_t value) { return value * (1 << fine_bits); }
+/// Rounded to nearest, halves up.
+constexpr std::int32_t from_fine(std::int32_t fine) { return rounded_shift(fine, fine_bits); }
 
 /// A value at a moment; |value| is at most 2^20.
 struct KeySample {
@@ -127,7 +130,7 @@ constexpr Fixed fine_pixels(std::int32_t fine)
 /// Rounded to nearest, halves up, in 1/256 of the unit of the values.
 constexpr std::int32_t fine_value(const KeySpan& key_span)
 {
-    return key_span.from * (1 << fine_bits) +
+    return to_fine(key_span.from) +
            multiply(key_span.to - key_span.from, key_span.progress.raw, 16 - fine_bits);
 }
 
