@@ -1,5 +1,6 @@
 #include "core/playhead.hpp"
 
+#include "core/bytes/expects.hpp"
 #include "core/math/fixed.hpp"
 
 namespace kfast {
@@ -8,6 +9,7 @@ Playhead::Playhead(const PlayRange& stretch, EventCursor events)
     : stretch_{stretch}, events_{events}, place_{place_of(stretch.begin)},
       has_events_{count({stretch.begin.ticks, stretch.end.ticks}) > 0}
 {
+    expects(stretch.begin < stretch.end);
 }
 
 void Playhead::seek(Time moment)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
@@ -29,7 +30,11 @@ public:
     const PlayRange& stretch() const { return stretch_; }
     /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 is a stop.
     std::int32_t speed() const { return speed_; }
-    void set_speed(std::int32_t speed) { speed_ = speed; }
+    void set_speed(std::int32_t speed)
+    {
+        expects(speed >= -fastest && speed <= fastest);
+        speed_ = speed;
+    }
 
     /// Sets it to any time of the timeline; a time outside the range is mapped into it by its loop:
     /// in `ping_pong`, a time after the end is one of the way back. Reports nothing itself.
@@ -99,6 +104,7 @@ private:
 template <class Report>
 void Playhead::advance(std::int64_t ticks, Report&& report)
 {
+    expects(ticks >= 0 && ticks <= std::int64_t{1} << 40);
     if (put_down_)
         put_at(moment(), report);
     put_down_ = false;

@@ -20,8 +20,8 @@ std::int32_t spacing_of(const BeamStyle& style, int wider)
 
 Hatching::Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness)
     : crossings_{reinterpret_cast<Crossing*>(memory.data())}, max_{memory.size() / bytes_of_crossing},
-      spacing_{spacing_of(style, wider)}, cosine_{cosine(style.direction)}, sine_{sine(style.direction)},
-      sight_{nullptr, coarseness}
+      spacing_{spacing_of(style, wider)},
+      direction_{cosine(style.direction), sine(style.direction)}, sight_{nullptr, coarseness}
 {
 }
 
@@ -43,16 +43,17 @@ Hatching::Place Hatching::place(Point at) const
 {
     const std::int32_t x = at.x.raw();
     const std::int32_t y = at.y.raw();
-    return {multiply(x, cosine_, 30) + multiply(y, sine_, 30),
-            multiply(y, cosine_, 30) - multiply(x, sine_, 30)};
+    const auto [cosine, sine] = direction_;
+    return {multiply(x, cosine, 30) + multiply(y, sine, 30), multiply(y, cosine, 30) - multiply(x, sine, 30)};
 }
 
 Point Hatching::point(const Crossing& crossing) const
 {
     const std::int32_t along = crossing.along;
     const std::int32_t across = across_of(crossing.line);
-    return {Fixed::from_raw(multiply(along, cosine_, 30) - multiply(across, sine_, 30)),
-            Fixed::from_raw(multiply(along, sine_, 30) + multiply(across, cosine_, 30))};
+    const auto [cosine, sine] = direction_;
+    return {Fixed::from_raw(multiply(along, cosine, 30) - multiply(across, sine, 30)),
+            Fixed::from_raw(multiply(along, sine, 30) + multiply(across, cosine, 30))};
 }
 
 /// The number of the first line that is not before `across`.

@@ -97,8 +97,7 @@ private:
     std::size_t max_;
     std::size_t count_ = 0;
     std::int32_t spacing_; ///< in 1/65536 px
-    std::int32_t cosine_;  ///< Q30, of the direction of the lines
-    std::int32_t sine_;
+    UnitVector direction_; ///< of the lines
     ViewProjection sight_;
     Point start_;
     Point last_;

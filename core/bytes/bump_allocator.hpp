@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <cstddef>
 #include <span>
 
@@ -13,6 +15,7 @@ public:
     /// There must be that many bytes left.
     std::span<std::byte> cut(std::size_t bytes)
     {
+        expects(bytes <= rest_.size());
         const std::span<std::byte> part = rest_.first(bytes);
         rest_ = rest_.subspan(bytes);
         return part;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -130,6 +132,7 @@ public:
     /// The next `count` bits, 1 … `max`.
     std::uint32_t bits(std::uint32_t count)
     {
+        expects(count >= 1 && count <= max);
         const std::uint32_t value = ahead() >> (32 - count);
         skip(count);
         return value;
@@ -137,6 +140,7 @@ public:
     /// The next `count` bits, 0 … 32.
     std::uint32_t number(std::uint32_t count)
     {
+        expects(count <= 32);
         if (count == 0)
             return 0;
         if (count <= max)
@@ -144,8 +148,10 @@ public:
         const std::uint32_t high = bits(count - 16);
         return high << 16 | bits(16);
     }
+    /// Likewise, the highest bit is the sign.
     std::int32_t signed_bits(std::uint32_t count)
     {
+        expects(count >= 1 && count <= max);
         const std::int32_t value = static_cast<std::int32_t>(ahead()) >> (32 - count);
         skip(count);
         return value;

@@ -1,5 +1,7 @@
 #include "core/bytes/code_point.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <array>
 
 namespace kfast {
@@ -44,6 +46,7 @@ CodePoint sequence_at(std::string_view text, std::size_t offset, const SequenceF
 
 CodePoint code_point_at(std::string_view text, std::size_t offset)
 {
+    expects(offset < text.size());
     const unsigned first = byte_at(text, offset);
     if (first < 0x80)
         return {.value = first};

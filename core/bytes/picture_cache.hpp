@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +24,7 @@ public:
     explicit PictureCache(std::span<std::byte> memory)
         : memory_{reinterpret_cast<std::uint32_t*>(memory.data())}, size_{memory.size() / 4}
     {
+        expects(reinterpret_cast<std::uintptr_t>(memory.data()) % 4 == 0);
     }
 
     void begin_picture();

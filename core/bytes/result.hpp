@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -46,13 +48,25 @@ public:
     constexpr explicit operator bool() const { return value_.has_value(); }
 
     /// Only when the result holds a value.
-    constexpr T& operator*() { return *value_; }
-    constexpr const T& operator*() const { return *value_; }
-    constexpr T* operator->() { return &*value_; }
-    constexpr const T* operator->() const { return &*value_; }
+    constexpr T& operator*() { return *operator->(); }
+    constexpr const T& operator*() const { return *operator->(); }
+    constexpr T* operator->()
+    {
+        expects(value_.has_value());
+        return &*value_;
+    }
+    constexpr const T* operator->() const
+    {
+        expects(value_.has_value());
+        return &*value_;
+    }
 
     /// Only when the result holds no value.
-    constexpr Error error() const { return error_; }
+    constexpr Error error() const
+    {
+        expects(!value_.has_value());
+        return error_;
+    }
     /// From now on there is no value.
     constexpr void fail(Error error)
     {

@@ -1,5 +1,6 @@
 #include "core/math/affine.hpp"
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
@@ -66,7 +67,8 @@ Affine operator*(const Affine& outer, const Affine& inner)
 
 Fixed half_width(Fixed width, std::int32_t scale_factor)
 {
-    const std::int64_t raw = (std::int64_t{width.raw()} * scale_factor + Fixed::one) >> 17;
+    expects(width >= Fixed{} && scale_factor >= 0);
+    const std::int64_t raw = rounded_shift(std::int64_t{width.raw()} * scale_factor, 17);
     return Fixed::from_raw(static_cast<std::int32_t>(std::min(raw, max_half_width)));
 }
 

@@ -1,5 +1,7 @@
 #include "core/math/angle.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,7 +20,7 @@ constexpr std::int32_t product_q30(std::int32_t a, std::int32_t b)
         return (high >> 16) * static_cast<std::int32_t>(low(other)) >> 1;
     };
     const auto lowest = static_cast<std::int32_t>(low(a) * low(b) >> 17);
-    return (a >> 16) * (b >> 16) * 4 + ((half(a, b) + half(b, a) + lowest + (1 << 12)) >> 13);
+    return (a >> 16) * (b >> 16) * 4 + rounded_shift(half(a, b) + half(b, a) + lowest, 13);
 }
 
 /// Horner's scheme in Q30: coefficients from the lowest power, `at` in 0 … 1.
@@ -115,17 +117,18 @@ std::uint32_t inverse_root(std::uint32_t square)
 // and so is what rounding the unit vector adds: together 1/750 px at the edge of a stroke 40 px wide.
 PolarVector to_polar(Point vector)
 {
+    expects(vector != Point{});
     const auto longest =
         static_cast<std::uint32_t>(std::max(std::abs(vector.x.raw()), std::abs(vector.y.raw())));
     const int excess = 17 - std::countl_zero(longest);
     const auto shifted = [excess](std::int32_t value) {
-        return excess > 0 ? (value + (1 << (excess - 1))) >> excess : value * (1 << -excess);
+        return excess > 0 ? rounded_shift(value, excess) : value * (1 << -excess);
     };
     const std::int32_t x = shifted(vector.x.raw());
     const std::int32_t y = shifted(vector.y.raw());
     const auto square = static_cast<std::uint32_t>(x * x) + static_cast<std::uint32_t>(y * y);
     const auto inverse = static_cast<std::int32_t>(inverse_root(square));
-    const auto unit = [inverse](std::int32_t value) { return (value * inverse + (1 << 14)) >> 15; };
+    const auto unit = [inverse](std::int32_t value) { return rounded_shift(value * inverse, 15); };
     const std::uint32_t length = (square >> 15) * static_cast<std::uint32_t>(inverse) >> 15;
     return {{unit(x), unit(y)}, excess > 0 ? length << excess : length >> -excess};
 }

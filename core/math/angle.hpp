@@ -54,11 +54,20 @@ std::int32_t cosine(FineAngle angle);
 inline std::int32_t sine(BinaryAngle angle) { return sine(FineAngle::of(angle)); }
 inline std::int32_t cosine(BinaryAngle angle) { return cosine(FineAngle::of(angle)); }
 
+/// What an angle makes of the x axis, in Q30.
+struct UnitVector {
+    std::int32_t cosine = one_q30;
+    std::int32_t sine = 0;
+};
+
+/// Of a number in Q30, such as a component of a unit vector; rounded to nearest, halves up.
+constexpr std::int32_t q16_of_q30(std::int32_t value) { return rounded_shift(value, 14); }
+
 /// The direction of the vector (x, y), within 1 unit of the exact value; 0 for the vector (0, 0).
 /// |x| and |y| are less than 2^31.
 BinaryAngle direction(std::int32_t x, std::int32_t y);
 
-/// A direction as a unit vector in Q15, within 1/15000 rad.
+/// A direction as a unit vector in Q15, within 1/15000 rad: of two of these, products fit in 32 bits.
 struct Direction {
     std::int32_t x = 0;
     std::int32_t y = 0;

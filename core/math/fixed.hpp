@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <bit>
 #include <compare>
 #include <concepts>
@@ -15,6 +17,7 @@ namespace kfast {
 /// divisions takes ten times the code on processors of 32 bits.
 constexpr std::uint32_t long_quotient(std::uint32_t high, std::uint32_t low, std::uint32_t divisor)
 {
+    expects(high < divisor);
     const int shift = std::countl_zero(divisor);
     const std::uint32_t whole = divisor << shift;
     const std::uint32_t upper = whole >> 16;
@@ -42,6 +45,7 @@ constexpr std::uint32_t long_quotient(std::uint32_t high, std::uint32_t low, std
 /// Rounded down; `divisor` is at least 1.
 [[gnu::noinline]] constexpr std::uint64_t quotient(std::uint64_t dividend, std::uint32_t divisor)
 {
+    expects(divisor >= 1);
     const auto high = static_cast<std::uint32_t>(dividend >> 32);
     const auto low = static_cast<std::uint32_t>(dividend);
     const std::uint32_t above = high == 0 ? 0 : high / divisor;
@@ -74,6 +78,7 @@ struct Fraction {
     /// `denominator` is at least 1.
     static constexpr Fraction ratio(std::uint32_t numerator, std::uint32_t denominator)
     {
+        expects(numerator <= denominator && denominator >= 1);
         if (numerator < 0x4000) // keeps the division in 32 bits
             return {((numerator << 16) + denominator / 2) / denominator};
         const std::uint64_t scaled = (std::uint64_t{numerator} << 16) + denominator / 2;
@@ -100,9 +105,17 @@ public:
     constexpr Fixed() = default;
     static constexpr Fixed from_raw(std::int32_t raw) { return Fixed{raw}; }
     /// `count` is within -32768 … 32767.
-    static constexpr Fixed pixels(std::int32_t count) { return Fixed{count * one}; }
+    static constexpr Fixed pixels(std::int32_t count)
+    {
+        expects(count >= -32768 && count <= 32767);
+        return Fixed{count * one};
+    }
     /// The unit in which scenes store coordinates; `count` is within -524288 … 524287.
-    static constexpr Fixed sixteenths(std::int32_t count) { return Fixed{count * (one / 16)}; }
+    static constexpr Fixed sixteenths(std::int32_t count)
+    {
+        expects(count >= -524288 && count <= 524287);
+        return Fixed{count * (one / 16)};
+    }
 
     static constexpr std::int32_t one = 65536;
 
@@ -119,9 +132,19 @@ private:
     std::int32_t raw_ = 0;
 };
 
+/// value / 2^bits, rounded to nearest, halves up. `bits` is at least 1, and 2^(bits - 1) more than `value`
+/// fits.
+template <std::integral T>
+constexpr T rounded_shift(T value, int bits)
+{
+    expects(bits >= 1 && bits < std::numeric_limits<T>::digits);
+    return (value + (T{1} << (bits - 1))) >> bits;
+}
+
 /// value * factor / 2^bits, rounded to nearest, halves up. `bits` is 1 … 62 and the result fits.
 constexpr std::int32_t multiply(std::int32_t value, std::int32_t factor, int bits)
 {
+    expects(bits >= 1 && bits <= 62);
     const std::int64_t half = std::int64_t{1} << (bits - 1);
     return static_cast<std::int32_t>((std::int64_t{value} * factor + half) >> bits);
 }
@@ -162,9 +185,10 @@ constexpr std::int64_t sum_of_products(std::int32_t p, std::int64_t a, std::int3
     return sum >> 16;
 }
 
-/// Whether |value| is at most 1 << bits.
+/// Whether |value| is at most 1 << bits; `bits` is 0 … 30.
 constexpr bool fits_in(std::int32_t value, int bits)
 {
+    expects(bits >= 0 && bits <= 30);
     return static_cast<std::uint32_t>(value) + (1U << bits) <= 2U << bits;
 }
 
@@ -228,6 +252,7 @@ struct Distribution {
     constexpr Distribution() = default;
     constexpr Distribution(std::uint32_t total, std::uint32_t count) : each{1}
     {
+        expects(count >= 1);
         if (total == count) // most are, and small processors divide by a function
             return;
         each = total / count;

@@ -1,5 +1,7 @@
 #include "core/math/flatten.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -139,6 +141,7 @@ std::int32_t divided(std::int32_t value, std::uint32_t factor, int bits)
 
 CubicSteps::CubicSteps(const Segment& cubic, int pieces) : from_{cubic.from}
 {
+    expects(cubic.kind == Segment::Kind::cubic && pieces >= 2 && pieces <= max_steps);
     // Not as points, which would be copied by a function.
     const Fixed x1 = cubic.c1.x - cubic.from.x;
     const Fixed x2 = cubic.c2.x - cubic.from.x;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/math/point.hpp"
 
@@ -139,7 +140,11 @@ void flatten(const Segment& segment, int pieces, LineTo line_to)
 /// what lies between those two.
 int pieces_for(const Segment& segment);
 
-/// A number of pieces, each about 2^coarseness times as long; 1 at least.
-constexpr int coarser(int pieces, int coarseness) { return ((pieces - 1) >> coarseness) + 1; }
+/// A number of pieces, each about 2^coarseness times as long; 1 at least, as `pieces` is.
+constexpr int coarser(int pieces, int coarseness)
+{
+    expects(pieces >= 1 && coarseness >= 0);
+    return ((pieces - 1) >> coarseness) + 1;
+}
 
 }

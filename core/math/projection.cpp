@@ -23,7 +23,7 @@ struct Triple {
 [[gnu::noinline]] Triple turned(const Space& space, const Triple& from)
 {
     const auto sum = [&from](std::int32_t p, std::int32_t q, std::int32_t r) {
-        return (p * from.x + q * from.y + r * from.z + Fixed::one / 2) >> 16;
+        return rounded_shift(p * from.x + q * from.y + r * from.z, 16);
     };
     return {sum(space.plane.xx, space.plane.xy, space.xz), sum(space.plane.yx, space.plane.yy, space.yz),
             sum(space.zx, space.zy, space.zz)};
@@ -67,24 +67,18 @@ std::int32_t scaled_component(std::int32_t component, std::int32_t scale)
     return multiply(component, scale, 34);
 }
 
-/// A unit vector's component in Q30, in Q16.
-std::int32_t component(std::int32_t q30) { return (q30 + (1 << 13)) >> 14; }
+struct TurnedAxis : UnitVector {
+    explicit TurnedAxis(FineAngle angle) : UnitVector{kfast::cosine(angle), kfast::sine(angle)} {}
+};
 
 /// Of two components of unit vectors.
 std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
-
-struct CosineSine {
-    explicit CosineSine(FineAngle angle) : cosine{kfast::cosine(angle)}, sine{kfast::sine(angle)} {}
-
-    std::int32_t cosine; ///< Q30
-    std::int32_t sine;
-};
 
 }
 
 Space upright(const Turning& turning)
 {
-    const CosineSine z{turning.z};
+    const TurnedAxis z{turning.z};
     return {.plane = {.xx = scaled_component(z.cosine, turning.scale_x),
                       .xy = scaled_component(-z.sine, turning.scale_y),
                       .yx = scaled_component(z.sine, turning.scale_x),
@@ -93,9 +87,9 @@ Space upright(const Turning& turning)
 
 Space tilted(const Turning& turning)
 {
-    const CosineSine x{turning.x};
-    const CosineSine y{turning.y};
-    const CosineSine z{turning.z};
+    const TurnedAxis x{turning.x};
+    const TurnedAxis y{turning.y};
+    const TurnedAxis z{turning.z};
     const auto [scale_x, scale_y] = std::pair{turning.scale_x, turning.scale_y};
     const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
     const std::int32_t deep_y = product(y.sine, z.sine);
@@ -103,11 +97,11 @@ Space tilted(const Turning& turning)
                       .xy = scaled_component(-product(y.cosine, z.sine), scale_y),
                       .yx = scaled_component(product(x.cosine, z.sine) - product(x.sine, deep_x), scale_x),
                       .yy = scaled_component(product(x.cosine, z.cosine) - product(x.sine, deep_y), scale_y)},
-            .xz = component(y.sine),
-            .yz = component(-product(x.sine, y.cosine)),
+            .xz = q16_of_q30(y.sine),
+            .yz = q16_of_q30(-product(x.sine, y.cosine)),
             .zx = scaled_component(product(x.sine, z.sine) + product(x.cosine, deep_x), scale_x),
             .zy = scaled_component(product(x.sine, z.cosine) + product(x.cosine, deep_y), scale_y),
-            .zz = component(product(x.cosine, y.cosine))};
+            .zz = q16_of_q30(product(x.cosine, y.cosine))};
 }
 
 namespace {
@@ -129,8 +123,7 @@ std::int64_t within_reach(std::int64_t distance)
 
 std::int64_t times(std::int64_t value, std::int64_t nearness)
 {
-    constexpr std::int64_t half = 1 << (nearness_bits - 1);
-    return (value * nearness + half) >> nearness_bits;
+    return rounded_shift(value * nearness, nearness_bits);
 }
 
 }

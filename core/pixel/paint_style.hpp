@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/angle.hpp"
 
 #include <cstdint>
@@ -32,12 +33,14 @@ constexpr std::uint32_t narrow_channel(std::uint32_t value, std::uint32_t max)
 /// A channel of a pixel picture as 0 … 255, rounded to nearest.
 constexpr std::uint32_t widen_channel(std::uint32_t value, std::uint32_t max)
 {
+    expects(max >= 1 && value <= max);
     return (value * 255 + max / 2) / max;
 }
 
 /// `over` blended over `under` with a coverage of 0 … 255, rounded to nearest; all in the same format.
 constexpr std::uint32_t blend_channel(std::uint32_t under, std::uint32_t over, std::uint32_t coverage)
 {
+    expects(coverage <= 255);
     return rounded_255th(under * (255 - coverage) + over * coverage);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/pixel/pixel_format.hpp"
 
@@ -21,6 +22,7 @@ inline std::uintptr_t beyond_word(const std::byte* at) { return reinterpret_cast
 /// Stores `halfword` `count` times. `at` is aligned to 2.
 inline void fill_halfwords(std::byte* at, int count, std::uint32_t halfword)
 {
+    expects(reinterpret_cast<std::uintptr_t>(at) % 2 == 0);
     auto* single = reinterpret_cast<Halfword*>(at);
     if (count > 0 && beyond_word(at) != 0) {
         *single++ = static_cast<std::uint16_t>(halfword);

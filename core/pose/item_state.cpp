@@ -52,9 +52,9 @@ RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
 std::int32_t RigidPlacements::factor(std::int32_t q16) const
 {
     if (base_ == Fixed::one) // mostly, and the same
-        return std::clamp((q16 + 2) >> 2, -max_factor, max_factor);
+        return std::clamp(rounded_shift(q16, 2), -max_factor, max_factor);
     constexpr int shift = inverse_bits - fraction_bits;
-    const std::int64_t wide = (q16 * inverse_ + (std::int64_t{1} << (shift - 1))) >> shift;
+    const std::int64_t wide = rounded_shift(q16 * inverse_, shift);
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(wide, -max_factor, max_factor));
 }
 
@@ -101,9 +101,6 @@ Colour colour_between(Colour from, Colour to, Progress progress)
             channel_between(from.opacity, to.opacity, progress)};
 }
 
-/// Rounded to nearest, halves up.
-std::int32_t whole(std::int32_t fine) { return (fine + (1 << (fine_bits - 1))) >> fine_bits; }
-
 std::int64_t within_shift(std::int64_t shift)
 {
     constexpr std::int64_t furthest = std::int64_t{65536} * Fixed::one;
@@ -115,7 +112,7 @@ class Placement {
 public:
     explicit Placement(const Features& features) : features_{features}
     {
-        fine(Property::scale_x) = fine(Property::scale_y) = scale_one << fine_bits;
+        fine(Property::scale_x) = fine(Property::scale_y) = to_fine(scale_one);
     }
 
     /// In 1/256 of the unit of the property, which is among those that place an item.
@@ -190,8 +187,7 @@ const TrackState* ItemState::track(Property property) const
 std::int32_t ItemState::fine(Property property) const
 {
     const TrackState* const found = track(property);
-    return found != nullptr ? prepared_.fine_value(scene_, *found)
-                            : value_without_track(property) * (1 << fine_bits);
+    return found != nullptr ? prepared_.fine_value(scene_, *found) : to_fine(value_without_track(property));
 }
 
 std::uint32_t ItemState::opacity() const
@@ -200,7 +196,7 @@ std::uint32_t ItemState::opacity() const
         return 255;
     if (fine(Property::visible) == 0)
         return 0;
-    return static_cast<std::uint32_t>(std::clamp<std::int32_t>(whole(fine(Property::opacity)), 0, 255));
+    return static_cast<std::uint32_t>(std::clamp<std::int32_t>(from_fine(fine(Property::opacity)), 0, 255));
 }
 
 Space ItemState::placement() const

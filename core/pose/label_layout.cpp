@@ -1,6 +1,7 @@
 #include "core/pose/label_layout.hpp"
 
 #include "core/bytes/code_point.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ LabelLayout::LabelLayout(const LabelView& label, std::span<const std::byte> glyp
 
 PlacedGlyph LabelLayout::next()
 {
-    const std::int32_t x = (x_ + sixteenth / 2) >> 8;
+    expects(!at_end());
+    const std::int32_t x = rounded_shift(x_, 8);
     static_assert(sixteenth == 1 << 8);
     const PlacedGlyph placed{static_cast<std::uint32_t>(label_.drawings[number(rest_[0])]),
                              {Fixed::sixteenths(x), Fixed::sixteenths(label_.y)}};

@@ -20,7 +20,7 @@ constexpr std::int32_t small_width = 2 * one_px;
 /// `share` is in Q16 and may lie beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
 {
-    return a + (((b - a) * share + one_px / 2) >> 16);
+    return a + rounded_shift((b - a) * share, 16);
 }
 
 /// The same bits, where all of it fits in 32 bits.

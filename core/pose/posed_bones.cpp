@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace kfast {
 
@@ -26,11 +25,10 @@ std::int32_t of(std::span<const std::int32_t, bone_quantity_count> values, BoneQ
 /// What is at (x, y) in the frame of `parent`.
 Point on_canvas(const BoneFrame& parent, Fixed x, Fixed y)
 {
-    constexpr std::int64_t half = 1 << 29;
-    const std::int64_t across = std::int64_t{parent.cosine} * x.raw() - std::int64_t{parent.sine} * y.raw();
-    const std::int64_t down = std::int64_t{parent.sine} * x.raw() + std::int64_t{parent.cosine} * y.raw();
-    return clamped_point(parent.origin.x.raw() + ((across + half) >> 30),
-                         parent.origin.y.raw() + ((down + half) >> 30));
+    const std::int64_t cosine = parent.direction.cosine;
+    const std::int64_t sine = parent.direction.sine;
+    return clamped_point(parent.origin.x.raw() + rounded_shift(cosine * x.raw() - sine * y.raw(), 30),
+                         parent.origin.y.raw() + rounded_shift(sine * x.raw() + cosine * y.raw(), 30));
 }
 
 BoneFrame frame_in(const BoneFrame& parent, std::span<const std::int32_t, bone_quantity_count> fine,
@@ -40,15 +38,13 @@ BoneFrame frame_in(const BoneFrame& parent, std::span<const std::int32_t, bone_q
     return {.origin = on_canvas(parent, fine_pixels(of(fine, BoneQuantity::x)) + shift,
                                 fine_pixels(of(fine, BoneQuantity::y))),
             .angle = angle,
-            .cosine = cosine(angle),
-            .sine = sine(angle)};
+            .direction = {cosine(angle), sine(angle)}};
 }
 
 FineValues values_at_rest(const BoneSetUp& bone)
 {
     FineValues fine;
-    std::ranges::transform(bone.set_up, fine.begin(),
-                           [](std::int32_t value) { return value * (1 << fine_bits); });
+    std::ranges::transform(bone.set_up, fine.begin(), [](std::int32_t value) { return to_fine(value); });
     return fine;
 }
 
@@ -64,8 +60,8 @@ std::int64_t play_range_of(std::int64_t length, std::uint32_t set_up_length)
 std::int32_t factor(std::int64_t stretch, std::int32_t a, std::int32_t b)
 {
     if (stretch == Fixed::one) // mostly
-        return (a + b + (1 << 13)) >> 14;
-    return static_cast<std::int32_t>((((stretch * a) >> 16) + b + (1 << 13)) >> 14);
+        return q16_of_q30(a + b);
+    return static_cast<std::int32_t>(rounded_shift(((stretch * a) >> 16) + b, 14));
 }
 
 BoneSetUp set_up_of(const SceneView& scene, const BoneNode& bone)
@@ -113,8 +109,8 @@ void PosedBone::pose(const BoneSetUp& bone, const PosedBone* parent,
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
     extension_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
     const std::int64_t stretch = play_range_of(length, static_cast<std::uint32_t>(set_up_length));
-    const auto& [c, s] = std::pair{rest_.cosine, rest_.sine};
-    const auto& [posed_c, posed_s] = std::pair{posed_.cosine, posed_.sine};
+    const auto [c, s] = rest_.direction;
+    const auto [posed_c, posed_s] = posed_.direction;
     xx_ = factor(stretch, product_q30_down(posed_c, c), product_q30_down(posed_s, s));
     xy_ = factor(stretch, product_q30_down(posed_c, s), -product_q30_down(posed_s, c));
     yx_ = factor(stretch, product_q30_down(posed_s, c), -product_q30_down(posed_c, s));

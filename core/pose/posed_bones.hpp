@@ -18,8 +18,7 @@ namespace kfast {
 struct BoneFrame {
     Point origin; ///< held within ±16383 px
     FineAngle angle;
-    std::int32_t cosine = one_q30; ///< of the angle, Q30
-    std::int32_t sine = 0;
+    UnitVector direction = {}; ///< of the angle
 };
 
 /// A bone at a moment, and what it makes of the points that it carries.

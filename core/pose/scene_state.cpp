@@ -1,6 +1,7 @@
 #include "core/pose/scene_state.hpp"
 
 #include "core/bytes/bump_allocator.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/features.hpp"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ SceneTime SceneState::pose(Time time)
 
 void SceneState::set_input(std::uint32_t number, Time place)
 {
+    expects(number < inputs_.size());
     inputs_[number] = std::clamp(place, Time{}, whole_input);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/affine.hpp"
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
@@ -43,7 +44,11 @@ public:
     /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
     /// within 0 … whole_input (InputView::place_of). At first inputs stand at their default values.
     void set_input(std::uint32_t number, Time place);
-    Time input(std::uint32_t number) const { return inputs_[number]; }
+    Time input(std::uint32_t number) const
+    {
+        expects(number < inputs_.size());
+        return inputs_[number];
+    }
     /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
     /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
     /// inputs have their default texts. One that is no text stays as it is.

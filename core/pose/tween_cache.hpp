@@ -97,9 +97,8 @@ private:
     /// As lerp() of Fixed.
     static Fixed short_lerp(std::int32_t from, std::int32_t to, Progress progress)
     {
-        constexpr std::int32_t half = 1 << (short_bits - 1);
         return Fixed::from_raw(from * (Fixed::one >> short_bits) +
-                               (((to - from) * progress.raw + half) >> short_bits));
+                               rounded_shift((to - from) * progress.raw, short_bits));
     }
 
     std::uint32_t words_of_one() const { return (form_ & wide_form) != 0 ? 2 : 1; }

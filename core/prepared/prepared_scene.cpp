@@ -103,7 +103,7 @@ std::int32_t PreparedScene::fine_value(const SceneView& scene, const TrackState&
         return scene.features().smooth->value(*this, scene, track);
     const auto property = static_cast<Property>(track.property);
     if (!tweens(property))
-        return track.from * (1 << fine_bits);
+        return to_fine(track.from);
     return kfast::fine_value(key_span(track, goes_by_y(property) ? LawAxis::y : LawAxis::x));
 }
 
@@ -111,7 +111,7 @@ std::int32_t PreparedScene::smooth_value(const SceneView& scene, const TrackStat
 {
     const KeyTimeline& timeline = timelines_[track.timeline];
     if (!timeline.is_between())
-        return track.from * (1 << fine_bits);
+        return to_fine(track.from);
     const std::uint32_t count = timeline.key_times(scene).count();
     const PackedValues values = values_of(scene, track, count);
     const std::uint32_t before = timeline.from() == 0 ? 0 : timeline.from() - 1;

@@ -1,5 +1,6 @@
 #include "core/raster/band.hpp"
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ int Band::row_count() const { return std::min(1 << store_->band_bits(), panel_.h
 
 void Band::advance(int number)
 {
+    expects(number > number_);
     count_op(Op::band);
     const int passed_bands = number - number_;
     const std::int32_t height = grid << store_->band_bits();

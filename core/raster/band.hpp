@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/point.hpp"
 #include "core/raster/outline/chain.hpp"
 #include "core/raster/outline/outline_store.hpp"
@@ -82,6 +83,7 @@ public:
     /// From `begin` up to but not including `end`.
     void add(int begin, int end)
     {
+        expects(begin >= 0 && end <= static_cast<int>(32 * words_.size()));
         for (int band = begin; band < end; ++band)
             word(band) |= bit(band);
     }

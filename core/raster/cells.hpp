@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/coverage.hpp"
@@ -89,6 +90,7 @@ struct GreyCells {
 template <class Cells>
 constexpr std::uint32_t opacity_share(std::uint32_t opacity)
 {
+    expects(opacity <= 255);
     return (opacity * Cells::full_share + 127) / 255;
 }
 

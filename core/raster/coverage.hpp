@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/raster/outline/grid.hpp"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ public:
     template <class Span>
     void sum_up(int columns, std::int32_t sum, Span span)
     {
+        expects(columns >= 0 && columns <= tile_columns);
         std::int32_t* const begin = sums_.data();
         std::int32_t* const end = begin + columns;
         *end = 1; // ends the last run

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/point.hpp"
 #include "core/raster/band.hpp"
 #include "core/raster/record.hpp"
@@ -47,7 +48,11 @@ public:
     }
     /// For filling the list: there is room for max_count of them, and end_at() sets their end.
     Region* data() { return regions_.data(); }
-    void end_at(const Region* end) { count_ = static_cast<std::size_t>(end - regions_.data()); }
+    void end_at(const Region* end)
+    {
+        count_ = static_cast<std::size_t>(end - regions_.data());
+        expects(count_ <= max_count);
+    }
 
 private:
     std::array<Region, max_count> regions_;

@@ -1,5 +1,6 @@
 #include "core/raster/record.hpp"
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/pixel/pixel_coding.hpp"
 
@@ -48,6 +49,7 @@ void Record::make_room()
 
 void Record::pass_band(int band, std::span<const PaintStep> shown)
 {
+    expects(is_known(band));
     std::uint8_t& count = counts_[static_cast<std::size_t>(band)];
     count_op(Op::passed_band);
     count_op(Op::passed_border, count);

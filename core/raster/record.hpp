@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pixel/pixel_format.hpp"
 #include "core/pixel/pixel_row.hpp"
 #include "core/raster/cells.hpp"
@@ -157,7 +158,11 @@ public:
 
     /// How many of the first `bands` are not known.
     int unknown_count(int bands) const;
-    bool is_known(int band) const { return counts_[static_cast<std::size_t>(band)] != unknown; }
+    bool is_known(int band) const
+    {
+        expects(band >= 0 && static_cast<std::size_t>(band) < counts_.size());
+        return counts_[static_cast<std::size_t>(band)] != unknown;
+    }
     /// The next band, which is known, is unchanged. `shown` are the steps of that picture, whose partners
     /// are found; none if all of them have kept their numbers.
     void pass_band(int band, std::span<const PaintStep> shown);

@@ -1,5 +1,6 @@
 #include "core/raster/renderer.hpp"
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/raster/band_painter.hpp"
 #include "core/raster/record.hpp"
@@ -353,6 +354,8 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
     if (progress_ == Progress::begun)
         forget();
     const std::size_t stride = row_bytes(format, panel_.width);
+    expects(first_row >= 0 && rows >= 0 && rows <= panel_.height - first_row &&
+            pixels.size() >= stride * static_cast<unsigned>(rows));
     if (first_row == 0 || first_row != next_row_) {
         begin_pass(default_band_bits);
         slots_.set_pictures(picture_.steps(), {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/coverage.hpp"
 #include "core/raster/outline/chain.hpp"
@@ -66,7 +67,10 @@ public:
     static constexpr std::size_t max_count = 16; ///< crossings in a part
 
     /// The n-th of a row.
-    explicit SampleLine(int number) : y_{(2 * number + 1) * grid / (2 * count_in_row)} {}
+    explicit SampleLine(int number) : y_{(2 * number + 1) * grid / (2 * count_in_row)}
+    {
+        expects(number >= 0 && number < count_in_row);
+    }
 
     /// Begins a part to the right of the parts before.
     void begin_part();

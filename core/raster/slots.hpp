@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/cells.hpp"
 #include "core/raster/outline/paint_step.hpp"
@@ -20,9 +21,13 @@ using SlotMask = std::uint32_t;
 
 inline constexpr int slot_count = 32;
 
-constexpr SlotMask bit_of(unsigned slot) { return SlotMask{1} << slot; }
+constexpr SlotMask bit_of(unsigned slot)
+{
+    expects(slot < slot_count);
+    return SlotMask{1} << slot;
+}
 
-/// The lowest bit of a mask that is not 0: the topmost layer.
+/// The lowest bit of a mask, which is the topmost layer; 0 of an empty mask.
 constexpr SlotMask top_bit(SlotMask mask) { return mask & (0U - mask); }
 
 /// A de Bruijn sequence and its positions.
@@ -31,9 +36,10 @@ inline constexpr std::array<std::uint8_t, 32> bit_numbers{0,  1,  28, 2,  29, 14
                                                           15, 25, 17, 4,  8,  31, 27, 13, 23, 21, 19,
                                                           16, 7,  26, 12, 18, 6,  11, 5,  10, 9};
 
-/// The number of the lowest bit. A Cortex-M0 has no instruction for it.
+/// The number of a bit. A Cortex-M0 has no instruction for it.
 constexpr unsigned number_of(SlotMask bit)
 {
+    expects(bit != 0 && top_bit(bit) == bit);
 #if defined(__ARM_ARCH_6M__)
     return bit_numbers[bit * bit_sequence >> 27];
 #else

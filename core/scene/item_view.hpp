@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/skeleton_view.hpp"
@@ -52,7 +53,11 @@ public:
 
     bool at_end() const { return key_times_.at_end(); }
     /// Only when not at the end.
-    Key next() { return at(key_times_.next()); }
+    Key next()
+    {
+        expects(!at_end());
+        return at(key_times_.next());
+    }
     /// What has not been read.
     const KeyTimeCursor& key_times() const { return key_times_; }
     const PackedValues& drawings() const { return drawings_; }

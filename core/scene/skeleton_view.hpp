@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/scene/format.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/track_view.hpp"
@@ -106,10 +107,18 @@ public:
 
     bool at_end() const { return bytes_.left() == 0; }
     /// Only when not at the end.
-    SkeletonView next() { return SkeletonView{bytes_.take(bytes_.varint())}; }
+    SkeletonView next()
+    {
+        expects(!at_end());
+        return SkeletonView{bytes_.take(bytes_.varint())};
+    }
     /// Passes the next skeleton without a look at its keys, which may be many; how many bones it has. Only
     /// when not at the end.
-    std::uint32_t skip() { return bytes_.take(bytes_.varint()).u8(); }
+    std::uint32_t skip()
+    {
+        expects(!at_end());
+        return bytes_.take(bytes_.varint()).u8();
+    }
     bool overrun() const { return bytes_.overrun(); }
 
 private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/byte_reader.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/math/angle.hpp"
 #include "core/math/point.hpp"
 #include "core/scene/format.hpp"
@@ -91,7 +92,11 @@ public:
 
     bool at_end() const { return key_times_.at_end(); }
     /// Only when not at the end.
-    TrackKey next() { return at(key_times_.next()); }
+    TrackKey next()
+    {
+        expects(!at_end());
+        return at(key_times_.next());
+    }
     /// What has not been read.
     const KeyTimeCursor& key_times() const { return key_times_; }
     const PackedValues& values() const { return values_; }

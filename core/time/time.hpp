@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <compare>
 #include <cstdint>
@@ -14,7 +16,11 @@ struct Time {
 
     static constexpr std::int32_t ticks_per_frame = 1024;
     /// `number` is within -2097152 … 2097151.
-    static constexpr Time frame(std::int32_t number) { return {number * ticks_per_frame}; }
+    static constexpr Time frame(std::int32_t number)
+    {
+        expects(number >= -2097152 && number <= 2097151);
+        return {number * ticks_per_frame};
+    }
 
     friend constexpr auto operator<=>(Time, Time) = default;
     friend constexpr Time operator+(Time a, Time b) { return {a.ticks + b.ticks}; }
@@ -31,6 +37,7 @@ enum class Loop : std::uint8_t {
 /// The moment of a scene of `length` (at least 1 tick, less than 2^30) that is shown at `time`.
 constexpr Time wrap(Time time, Time length, Loop loop)
 {
+    expects(length.ticks >= 1 && length.ticks < 1 << 30);
     if (loop == Loop::once)
         return std::clamp(time, Time{0}, length);
     const std::int32_t period = loop == Loop::ping_pong ? 2 * length.ticks : length.ticks;
@@ -48,8 +55,12 @@ struct Driver {
     friend constexpr auto operator<=>(Driver, Driver) = default;
 };
 
-/// Of the input `number`, where each has one, the first the lowest.
-constexpr std::uint32_t bit_of_input(std::uint32_t number) { return std::uint32_t{1} << number; }
+/// Of the input `number`, 0 … 31, where each has one, the first the lowest.
+constexpr std::uint32_t bit_of_input(std::uint32_t number)
+{
+    expects(number < 32);
+    return std::uint32_t{1} << number;
+}
 
 /// Where an input stands at its greatest value; at its least it stands at 0.
 inline constexpr Time whole_input{65536};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/math/fixed.hpp"
 #include "core/time/time.hpp"
@@ -35,6 +36,7 @@ struct KeyInterval {
 template <KeyReader Cursor>
 auto interval_at(Cursor keys, Time time)
 {
+    expects(!keys.at_end());
     auto from = keys.next();
     while (!keys.at_end() && from.time <= time) {
         const auto to = keys.next();
@@ -60,6 +62,9 @@ ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
 
 /// Values of tracks are computed in 1/256 of their unit.
 inline constexpr int fine_bits = 8;
+constexpr std::int32_t to_fine(std::int32_t value) { return value * (1 << fine_bits); }
+/// Rounded to nearest, halves up.
+constexpr std::int32_t from_fine(std::int32_t fine) { return rounded_shift(fine, fine_bits); }
 
 /// A value at a moment; |value| is at most 2^20.
 struct KeySample {
@@ -89,6 +94,7 @@ std::int32_t hermite(const HermiteSpan& span, Time time);
 template <KeyReader Cursor>
 HermiteSpan hermite_span_at(Cursor keys, Time time)
 {
+    expects(!keys.at_end());
     const auto next = [&keys] {
         const auto key = keys.next();
         return KeySample{key.time, key.value};
@@ -124,7 +130,7 @@ constexpr Fixed fine_pixels(std::int32_t fine)
 /// Rounded to nearest, halves up, in 1/256 of the unit of the values.
 constexpr std::int32_t fine_value(const KeySpan& key_span)
 {
-    return key_span.from * (1 << fine_bits) +
+    return to_fine(key_span.from) +
            multiply(key_span.to - key_span.from, key_span.progress.raw, 16 - fine_bits);
 }
 
@@ -151,8 +157,17 @@ public:
     /// In the order of their times.
     std::span<const KeySample> keys() const { return storage_.first(count_); }
     /// Only if there is a key time.
-    Time first_time() const { return storage_.front().time; }
-    Time last_time() const { return storage_[count_ - 1].time; }
+    Time first_time() const
+    {
+        expects(count_ != 0);
+        return storage_.front().time;
+    }
+    /// Likewise.
+    Time last_time() const
+    {
+        expects(count_ != 0);
+        return storage_[count_ - 1].time;
+    }
     /// In 1/256 of the unit of the values; see hermite(). 0 if there are no key times. Any time is allowed.
     std::int32_t value_at(Time time) const;
 

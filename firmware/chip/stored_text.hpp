@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -14,7 +16,11 @@ struct StoredText {
 
     constexpr StoredText() = default;
     /// `text` is no longer than `max`.
-    constexpr StoredText(std::string_view text) { std::ranges::copy(text, bytes.begin()); }
+    constexpr StoredText(std::string_view text)
+    {
+        expects(text.size() <= max);
+        std::ranges::copy(text, bytes.begin());
+    }
 
     constexpr std::string_view view() const
     {

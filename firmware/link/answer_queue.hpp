@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "firmware/link/report.hpp"
 
 #include <array>
@@ -17,7 +18,11 @@ public:
     bool is_full() const { return count_ == max; }
 
     /// Must not be full.
-    void put(const Report& report) { reports_[(first_ + count_++) % max] = report; }
+    void put(const Report& report)
+    {
+        expects(!is_full());
+        reports_[(first_ + count_++) % max] = report;
+    }
 
     std::optional<Report> next()
     {

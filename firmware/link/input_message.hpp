@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pose/input_drawing.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/kfb_limits.hpp"
@@ -94,7 +95,11 @@ struct Text {
     std::array<std::byte, max> bytes{}; ///< in UTF-8
 
     /// `length` is at most `max`.
-    std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), length}; }
+    std::string_view view() const
+    {
+        expects(length <= max);
+        return {reinterpret_cast<const char*>(bytes.data()), length};
+    }
 
     static constexpr void fields(auto&& io, auto& it) { io(it.input, it.length, it.bytes); }
 };

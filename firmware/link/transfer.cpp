@@ -1,5 +1,7 @@
 #include "firmware/link/transfer.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +9,7 @@ namespace kfast::link {
 
 void Transfer::begin(const Begin& what, std::uint8_t tag, Microseconds now)
 {
+    expects(blocks_of(what.size) <= max_blocks);
     forget();
     state_ = State::under_way;
     tag_ = tag;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/crc32.hpp"
+#include "core/bytes/expects.hpp"
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/sink.hpp"
 #include "firmware/link/upload_message.hpp"
@@ -68,7 +69,11 @@ public:
         return result_;
     }
     /// Ends the transfer because of `why`, which is not ok.
-    void fail(Status why) { end(why); }
+    void fail(Status why)
+    {
+        expects(why != Status::ok);
+        end(why);
+    }
 
     Begun begun() const { return {.next = next_, .window = window}; }
     bool has_acknowledgement() const { return acknowledged_ == Acknowledged::not_yet; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/point.hpp"
 #include "core/pixel/pixel_row.hpp"
 #include "firmware/run/sending.hpp"
@@ -25,10 +26,11 @@ public:
 
     Size panel() const { return panel_; }
 
-    /// Adds a line whose first row is `top`. `text` must outlive the card and be within the panel; its
-    /// letters are `scale` times as large as those of the font.
+    /// Adds a line, one of at most max_lines, whose first row is `top`. `text` must outlive the card and be
+    /// within the panel; its letters are `scale` times as large as those of the font.
     void add(std::string_view text, int scale, int top)
     {
+        expects(line_count_ < max_lines);
         const int left = (panel_.width - small_font::width(text) * scale) / 2;
         lines_[line_count_++] = {text, scale, left, top};
     }

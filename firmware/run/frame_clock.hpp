@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "firmware/chip/microseconds.hpp"
 
 #include <cstdint>
@@ -13,6 +14,7 @@ public:
     constexpr FrameClock(std::uint32_t frame_rate, Microseconds start)
         : rate_{frame_rate}, due_{start}, following_{start}
     {
+        expects(frame_rate >= 1);
         step(following_);
     }
 

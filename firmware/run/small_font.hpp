@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/pixel/pixel_row.hpp"
 
 #include <array>
@@ -63,6 +64,7 @@ constexpr int width(std::string_view text) { return static_cast<int>(text.size()
 template <PixelFormat format>
 void draw_line(PixelRow<format> row, std::string_view text, int left, int scale, int line, Colour colour)
 {
+    expects(line >= 0 && line < letter_height);
     for (const char letter : text) {
         const int lit = blocks(letter) >> 3 * (letter_height - 1 - line);
         for (int column = 0; column < letter_width; ++column)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "firmware/settings/board_settings.hpp"
 
 #include <array>
@@ -71,9 +72,17 @@ public:
 
     constexpr bool is_control() const { return number_ >= pin_role_names.size(); }
     /// Only if it is no control.
-    constexpr PinRole role() const { return static_cast<PinRole>(number_); }
+    constexpr PinRole role() const
+    {
+        expects(!is_control());
+        return static_cast<PinRole>(number_);
+    }
     /// In BoardSettings::controls. Only if it is a control.
-    constexpr std::size_t control() const { return number_ - pin_role_names.size(); }
+    constexpr std::size_t control() const
+    {
+        expects(is_control());
+        return number_ - pin_role_names.size();
+    }
 
     friend constexpr bool operator==(PinUser, PinUser) = default;
 

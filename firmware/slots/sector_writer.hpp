@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "firmware/slots/flash.hpp"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ public:
     /// From now on bytes go to `offset`, the beginning of a sector.
     void begin(std::uint32_t offset, Use use)
     {
+        expects(offset % sector_bytes == 0);
         offset_ = offset;
         use_ = use;
         filled_ = 0;

@@ -1,5 +1,7 @@
 #include "firmware/slots/slot_pool.hpp"
 
+#include "core/bytes/expects.hpp"
+
 #include <algorithm>
 #include <span>
 
@@ -44,6 +46,7 @@ std::optional<std::uint32_t> SlotPool::room_behind(std::uint32_t from, std::uint
 
 std::optional<std::uint32_t> SlotPool::room_for(std::uint32_t size, std::uint32_t from) const
 {
+    expects(size != 0);
     const auto room = room_behind(from, size);
     return room ? room : room_behind(0, size);
 }

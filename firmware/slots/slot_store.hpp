@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bytes/crc32.hpp"
+#include "core/bytes/expects.hpp"
 #include "core/scene/scene_view.hpp"
 #include "firmware/slots/flash.hpp"
 #include "firmware/slots/flash_places.hpp"
@@ -46,7 +47,11 @@ public:
 
     std::uint32_t pool_bytes() const { return places_.pool_bytes; }
     /// `slot` is less than SlotDirectory::slot_count.
-    const SlotEntry& entry(std::uint8_t slot) const { return directory_.slots[slot]; }
+    const SlotEntry& entry(std::uint8_t slot) const
+    {
+        expects(slot < SlotDirectory::slot_count);
+        return directory_.slots[slot];
+    }
     /// The bytes of a slot, which have not been checked; none if it is empty. They stay where they are until
     /// the slot changes, and then as long as they are `held`.
     std::span<const std::byte> scene(std::uint8_t slot) const

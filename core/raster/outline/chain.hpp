@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/raster/outline/grid.hpp"
 
 #include <array>
@@ -37,6 +38,7 @@ inline constexpr RowMask all_rows = 0x0F;
 /// From `begin` up to but not including `end`.
 constexpr RowMask row_mask(int begin, int end)
 {
+    expects(begin >= 0 && begin <= end && end < 32);
     return static_cast<RowMask>(((1U << end) - (1U << begin)) & all_rows);
 }
 

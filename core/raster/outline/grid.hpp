@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 
@@ -25,6 +26,7 @@ constexpr bool is_on_border(std::int32_t coordinate) { return (coordinate & (gri
 /// both are less than 2^23.
 constexpr std::int32_t interpolate(std::int32_t from, std::int32_t to, std::int32_t part, std::int32_t whole)
 {
+    expects(part >= 0 && part <= whole && whole >= 1 && whole < 1 << 23);
     const std::int64_t way = std::int64_t{to - from} * part;
     return from + static_cast<std::int32_t>(
                       quotient(2 * way + (way < 0 ? -whole : whole), 2 * static_cast<std::uint32_t>(whole)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/math/point.hpp"
 #include "core/raster/outline/chain.hpp"
@@ -77,8 +78,17 @@ public:
     std::size_t needed_bytes() const { return needed_; }
 
     /// The first chain that begins in a band; Chain::none if there is none.
-    std::uint32_t first_in(int band) const { return heads_[static_cast<std::size_t>(band)]; }
-    Chain& chain(std::uint32_t place) const { return *reinterpret_cast<Chain*>(bytes_ + place); }
+    std::uint32_t first_in(int band) const
+    {
+        expects(band >= 0 && static_cast<std::size_t>(band) < heads_.size());
+        return heads_[static_cast<std::size_t>(band)];
+    }
+    /// `place` is not Chain::none.
+    Chain& chain(std::uint32_t place) const
+    {
+        expects(place != Chain::none && place < size_);
+        return *reinterpret_cast<Chain*>(bytes_ + place);
+    }
     const Crossing* crossing(std::uint32_t place) const
     {
         return reinterpret_cast<const Crossing*>(bytes_ + place);
@@ -87,6 +97,7 @@ public:
     /// The line of a chain that is straight.
     StraightLine& line(const Chain& chain) const
     {
+        expects(chain.is_straight);
         return *reinterpret_cast<StraightLine*>(bytes_ + chain.crossings - offsetof(StraightLine, in_band));
     }
     /// Calls visit(chain) for each chain of the picture.
