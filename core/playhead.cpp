@@ -5,19 +5,19 @@
 
 namespace kfast {
 
-Playhead::Playhead(const PlayRange& stretch, EventCursor events)
-    : stretch_{stretch}, events_{events}, place_{place_of(stretch.begin)},
-      has_events_{count({stretch.begin.ticks, stretch.end.ticks}) > 0}
+Playhead::Playhead(const PlayRange& range, EventCursor events)
+    : range_{range}, events_{events}, place_{place_of(range.begin)},
+      has_events_{count({range.begin.ticks, range.end.ticks}) > 0}
 {
-    expects(stretch.begin < stretch.end);
+    expects(range.begin < range.end);
 }
 
 void Playhead::seek(Time moment)
 {
-    const std::int64_t length = stretch_.length().ticks;
-    const std::int64_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
-    std::int64_t offset = std::int64_t{moment.ticks} - stretch_.begin.ticks;
-    if (stretch_.loop == Loop::once) {
+    const std::int64_t length = range_.length().ticks;
+    const std::int64_t period = range_.loop == Loop::ping_pong ? 2 * length : length;
+    std::int64_t offset = std::int64_t{moment.ticks} - range_.begin.ticks;
+    if (range_.loop == Loop::once) {
         offset = std::clamp<std::int64_t>(offset, 0, length);
     } else {
         const auto divisor = static_cast<std::uint32_t>(period);
@@ -26,17 +26,17 @@ void Playhead::seek(Time moment)
         offset = offset < 0 && away != 0 ? period - away : away;
     }
     returning_ = offset > length;
-    place_ = place_of(stretch_.begin) + ((returning_ ? period - offset : offset) << 16);
+    place_ = place_of(range_.begin) + ((returning_ ? period - offset : offset) << 16);
     put_down_ = true;
 }
 
 Playhead::Position Playhead::distance_in(std::int64_t ticks) const
 {
     const Position distance = ticks * (speed_ < 0 ? -speed_ : speed_);
-    if (has_events_ || stretch_.loop == Loop::once)
+    if (has_events_ || range_.loop == Loop::once)
         return distance;
-    const auto length = static_cast<std::uint32_t>(stretch_.length().ticks);
-    const std::uint32_t period = stretch_.loop == Loop::ping_pong ? 2 * length : length;
+    const auto length = static_cast<std::uint32_t>(range_.length().ticks);
+    const std::uint32_t period = range_.loop == Loop::ping_pong ? 2 * length : length;
     const auto whole_ticks = static_cast<std::uint64_t>(distance >> 16);
     return Position{remainder(whole_ticks, period)} << 16 | (distance & 0xFFFF);
 }

@@ -23,11 +23,11 @@ public:
     static constexpr std::int32_t fastest = 16 * as_authored;
 
     /// Sets it to the beginning, to run as authored. What `events` reads must outlive the playhead.
-    Playhead(const PlayRange& stretch, EventCursor events);
+    Playhead(const PlayRange& range, EventCursor events);
     /// For the whole scene, whose bytes must outlive the playhead.
     explicit Playhead(const SceneView& scene) : Playhead{play_range_of(scene), scene.events()} {}
 
-    const PlayRange& stretch() const { return stretch_; }
+    const PlayRange& range() const { return range_; }
     /// Q16 of the authored speed, within ±fastest; negative speeds run backwards, 0 is a stop.
     std::int32_t speed() const { return speed_; }
     void set_speed(std::int32_t speed)
@@ -56,7 +56,7 @@ public:
     /// Whether it is on the way back of `ping_pong`.
     bool returning() const { return returning_; }
     /// Whether `once` has come to the end that it runs to; it stays there.
-    bool finished() const { return stretch_.loop == Loop::once && place_ == goal(); }
+    bool finished() const { return range_.loop == Loop::once && place_ == goal(); }
 
 private:
     /// Ticks of the timeline in Q16.
@@ -73,7 +73,7 @@ private:
 
     bool runs_back() const { return (speed_ < 0) != returning_; }
     /// The end that it runs to.
-    Position goal() const { return place_of(runs_back() ? stretch_.begin : stretch_.end); }
+    Position goal() const { return place_of(runs_back() ? range_.begin : range_.end); }
     Position distance_in(std::int64_t ticks) const;
     /// How far it goes on `distance` without a reversal.
     Position next_stop(Position distance) const;
@@ -92,7 +92,7 @@ private:
     template <class Report>
     void turn(Report& report);
 
-    PlayRange stretch_;
+    PlayRange range_;
     EventCursor events_;
     Position place_;
     std::int32_t speed_ = as_authored;
@@ -125,10 +125,10 @@ void Playhead::advance(std::int64_t ticks, Report&& report)
 template <class Report>
 void Playhead::turn(Report& report)
 {
-    if (stretch_.loop == Loop::ping_pong)
+    if (range_.loop == Loop::ping_pong)
         returning_ = !returning_;
     else
-        put_at(runs_back() ? stretch_.end : stretch_.begin, report);
+        put_at(runs_back() ? range_.end : range_.begin, report);
 }
 
 template <class Report>

@@ -222,11 +222,11 @@ void Tracer::add_layers_in_depth(SceneWalk& walk, FunctionRef<Point()> first_poi
 }
 
 /// scale_factor() is the scale of the pen.
-void Tracer::add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
+void Tracer::add_layers(SceneWalk& walk, const ViewProjection& view, const Affine& placement,
                         FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace)
 {
     const ObjectStyle& style = walk.node().style;
-    ObjectOutline outline{picture_.outlines, sight};
+    ObjectOutline outline{picture_.outlines, view};
     const auto trace_placed = [&] { trace(placement, outline); };
     if (style.is_filled)
         add_layer(Part::fill, walk, trace_placed);

@@ -53,7 +53,7 @@ private:
                      bool moves);
     bool reuse_layers(const SceneWalk& walk);
     void add_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);
-    void add_layers(SceneWalk& walk, const ViewProjection& sight, const Affine& placement,
+    void add_layers(SceneWalk& walk, const ViewProjection& view, const Affine& placement,
                     FunctionRef<std::int32_t()> scale_factor, TraceStrokes trace);
     const StrokeFeature& pens() const { return *on_panel_.scene.features().strokes; }
     void add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace);

@@ -71,9 +71,9 @@ private:
     /// 1/1000 frame per second times milliseconds, for each of which 1024 ticks pass.
     static constexpr std::uint64_t parts_of_tick = 1'000'000;
 
-    void begin(const PlayRange& stretch)
+    void begin(const PlayRange& range)
     {
-        playhead_ = Playhead{stretch, animation_.scene().events()};
+        playhead_ = Playhead{range, animation_.scene().events()};
         is_stale_ = true;
         is_running_ = false;
     }
@@ -93,7 +93,7 @@ private:
     Time frame_at(Time moment) const
     {
         const Time whole = Time::frame(moment.ticks / Time::ticks_per_frame);
-        return finished() ? moment : std::max(whole, playhead_.stretch().begin);
+        return finished() ? moment : std::max(whole, playhead_.range().begin);
     }
 
     Animation animation_;

@@ -14,7 +14,7 @@ constexpr std::int32_t border = field_side / 2;
 /// Corners within 1/16 px, the precision of curves, can be merged.
 constexpr int merging_bits = 4;
 
-FieldPoint held(std::int32_t x, std::int32_t y)
+FieldPoint clamped(std::int32_t x, std::int32_t y)
 {
     return {static_cast<std::int16_t>(std::min(x, field_max)),
             static_cast<std::int16_t>(std::min(y, field_max))};
@@ -27,19 +27,19 @@ bool BeamPen::Place::is_in_field() const
     return x >= -border && x <= border && y >= -border && y <= border;
 }
 
-BeamPen::BeamPen(BeamLines& lines, const ViewProjection& sight, int resolution, BeamInk ink, Colour colour,
+BeamPen::BeamPen(BeamLines& lines, const ViewProjection& view, int resolution, BeamInk ink, Colour colour,
                  std::uint32_t item)
-    : lines_{lines}, sight_{sight}, shift_{static_cast<int>(
+    : lines_{lines}, view_{view}, shift_{static_cast<int>(
                                                std::bit_width(static_cast<unsigned>(resolution))) -
                                            2},
-      merging_{sight.coarseness() == 0 ? 0 : (field_side / resolution >> merging_bits) << sight.coarseness()},
+      merging_{view.coarseness() == 0 ? 0 : (field_side / resolution >> merging_bits) << view.coarseness()},
       ink_{ink}, colour_{colour}, item_{item}
 {
 }
 
 void BeamPen::begin(Point from)
 {
-    first_ = last_ = place(sight_(from));
+    first_ = last_ = place(view_(from));
     skipped_.reset();
     is_cut_ = !first_.is_in_field();
     if (!is_cut_)
@@ -48,7 +48,7 @@ void BeamPen::begin(Point from)
 
 void BeamPen::add(const Segment& segment)
 {
-    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(place(sight_(to))); });
+    flatten(segment, view_.pieces_of(segment), [this](Point to) { line_to(place(view_(to))); });
 }
 
 void BeamPen::end(Point, bool is_closed)
@@ -146,7 +146,7 @@ void BeamPen::add_point(Place at)
     if (!is_drawing_)
         lines_.begin(colour_, item_);
     is_drawing_ = true;
-    lines_.add(held(at.x, at.y));
+    lines_.add(clamped(at.x, at.y));
 }
 
 void BeamPen::end_stroke()

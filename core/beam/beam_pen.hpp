@@ -27,7 +27,7 @@ enum class BeamInk : std::uint8_t {
 class BeamPen {
 public:
     /// `resolution` is that of the profile: the pixels of a side of the panel, which represents the field.
-    BeamPen(BeamLines& lines, const ViewProjection& sight, int resolution, BeamInk ink, Colour colour,
+    BeamPen(BeamLines& lines, const ViewProjection& view, int resolution, BeamInk ink, Colour colour,
             std::uint32_t item);
 
     void begin(Point from);
@@ -59,7 +59,7 @@ private:
     bool is_near_last(Place to) const;
 
     BeamLines& lines_;
-    ViewProjection sight_;
+    ViewProjection view_;
     int shift_;            ///< from 1/65536 px to half units of the field
     std::int32_t merging_; ///< corners that are so near to the previous one are left out
     BeamInk ink_;

@@ -129,8 +129,8 @@ void BeamTracer::draw(BeamInk ink, Colour colour, SceneWalk& walk, DrawWith draw
     const Space& space = walk.space();
     const bool is_flat = space.is_flat();
     const Projection projection{space, on_panel_.camera};
-    const ViewProjection sight{is_flat ? nullptr : &projection, coarseness_};
-    BeamPen pen{lines_, sight, resolution_, ink, seen, walk.path()};
+    const ViewProjection view{is_flat ? nullptr : &projection, coarseness_};
+    BeamPen pen{lines_, view, resolution_, ink, seen, walk.path()};
     draw_with(is_flat ? space.plane : Affine{}, pen);
 }
 

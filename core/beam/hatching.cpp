@@ -21,7 +21,7 @@ std::int32_t spacing_of(const BeamStyle& style, int wider)
 Hatching::Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness)
     : crossings_{reinterpret_cast<Crossing*>(memory.data())}, max_{memory.size() / bytes_of_crossing},
       spacing_{spacing_of(style, wider)},
-      direction_{cosine(style.direction), sine(style.direction)}, sight_{nullptr, coarseness}
+      direction_{cosine(style.direction), sine(style.direction)}, view_{nullptr, coarseness}
 {
 }
 
@@ -29,7 +29,7 @@ void Hatching::begin(Point from) { start_ = last_ = from; }
 
 void Hatching::add(const Segment& segment)
 {
-    flatten(segment, sight_.pieces_of(segment), [this](Point to) { line_to(to); });
+    flatten(segment, view_.pieces_of(segment), [this](Point to) { line_to(to); });
 }
 
 /// Closes strokes as FillOutline does.

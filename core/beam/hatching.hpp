@@ -98,7 +98,7 @@ private:
     std::size_t count_ = 0;
     std::int32_t spacing_; ///< in 1/65536 px
     UnitVector direction_; ///< of the lines
-    ViewProjection sight_;
+    ViewProjection view_;
     Point start_;
     Point last_;
     bool is_full_ = false;

@@ -57,10 +57,10 @@ Affine operator*(const Affine& outer, const Affine& inner)
 {
     if (is_small(outer) && is_small(inner)) // mostly
         return short_product(outer, inner);
-    return {.xx = held_factor(sum_of_products(outer.xx, inner.xx, outer.xy, inner.yx)),
-            .xy = held_factor(sum_of_products(outer.xx, inner.xy, outer.xy, inner.yy)),
-            .yx = held_factor(sum_of_products(outer.yx, inner.xx, outer.yy, inner.yx)),
-            .yy = held_factor(sum_of_products(outer.yx, inner.xy, outer.yy, inner.yy)),
+    return {.xx = clamped_factor(sum_of_products(outer.xx, inner.xx, outer.xy, inner.yx)),
+            .xy = clamped_factor(sum_of_products(outer.xx, inner.xy, outer.xy, inner.yy)),
+            .yx = clamped_factor(sum_of_products(outer.yx, inner.xx, outer.yy, inner.yx)),
+            .yy = clamped_factor(sum_of_products(outer.yx, inner.xy, outer.yy, inner.yy)),
             .x0 = outer.x0 + sum_of_products(outer.xx, inner.x0, outer.xy, inner.y0),
             .y0 = outer.y0 + sum_of_products(outer.yx, inner.x0, outer.yy, inner.y0)};
 }
@@ -143,8 +143,8 @@ Point PointMap::operator()(Point point) const
     const bool is_short = kind_ == Kind::small && is_small_distance(x) && is_small_distance(y);
     count_op(is_short ? Op::point : Op::wide_point);
     if (is_short)
-        return {held(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
-                held(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
+        return {clamped(short_sum_of_products(map_.xx, x, map_.xy, y) + x0),
+                clamped(short_sum_of_products(map_.yx, x, map_.yy, y) + y0)};
     return map_(point);
 }
 

@@ -9,14 +9,14 @@ namespace kfast {
 
 /// A map of the plane: x' = xx x + xy y + x0, y' = yx x + yy y + y0.
 struct Affine {
-    std::int32_t xx = Fixed::one; ///< Q16, as the other three; none is larger than `steepest`
+    std::int32_t xx = Fixed::one; ///< Q16, as the other three; none is larger than `max_factor`
     std::int32_t xy = 0;
     std::int32_t yx = 0;
     std::int32_t yy = Fixed::one;
     std::int64_t x0 = 0; ///< in 1/65536 px: what covers a panel of another shape reaches far beyond Fixed
     std::int64_t y0 = 0;
 
-    static constexpr std::int32_t steepest = 1 << 28;
+    static constexpr std::int32_t max_factor = 1 << 28;
 
     /// Rounded to 1/65536 px. Points further than 16383 px away from the origin are moved there, so that the
     /// differences of mapped coordinates fit in Fixed.
@@ -27,13 +27,13 @@ struct Affine {
     friend bool operator==(const Affine&, const Affine&) = default;
 };
 
-constexpr std::int32_t held_factor(std::int64_t value)
+constexpr std::int32_t clamped_factor(std::int64_t value)
 {
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, -Affine::steepest, Affine::steepest));
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, -Affine::max_factor, Affine::max_factor));
 }
 
 /// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px. What
-/// would grow beyond Affine::steepest is held there.
+/// would grow beyond Affine::max_factor is clamped to it.
 Affine operator*(const Affine& outer, const Affine& inner);
 
 /// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `scale_factor` (Q16); rounded to

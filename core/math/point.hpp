@@ -43,14 +43,14 @@ constexpr Point lerp(Point a, Point b, Progress x, Progress y)
 /// fit in Fixed.
 inline constexpr std::int32_t max_coordinate = 16383;
 /// The same for what is yet to be tweened by ways that may lead beyond 0 … 1 (core/math/fixed.hpp).
-inline constexpr std::int32_t farthest_tweened = 4095;
+inline constexpr std::int32_t max_tweened_coordinate = 4095;
 
 /// What a coordinate is computed in: 64 bits if 32 may not be enough.
 template <class T>
 concept Coordinate = std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t>;
 
 template <Coordinate Number>
-constexpr Fixed held(Number raw, std::int32_t farthest = max_coordinate)
+constexpr Fixed clamped(Number raw, std::int32_t farthest = max_coordinate)
 {
     const Number limit = Fixed::pixels(farthest).raw();
     return Fixed::from_raw(static_cast<std::int32_t>(std::clamp(raw, static_cast<Number>(-limit), limit)));
@@ -60,7 +60,7 @@ constexpr Fixed held(Number raw, std::int32_t farthest = max_coordinate)
 template <Coordinate Number>
 constexpr Point clamped_point(Number x, Number y, std::int32_t farthest = max_coordinate)
 {
-    return {held(x, farthest), held(y, farthest)};
+    return {clamped(x, farthest), clamped(y, farthest)};
 }
 
 /// Width and height in whole pixels.

@@ -35,7 +35,7 @@ Space product(const Space& outer, const Space& inner, const Features& features)
 {
     if (outer.is_flat() && inner.is_flat())
         return {.plane = outer.plane * inner.plane,
-                .zz = held_factor(sum_of_products(outer.zz, inner.zz, 0, 0))};
+                .zz = clamped_factor(sum_of_products(outer.zz, inner.zz, 0, 0))};
     return features.depth->product(outer, inner);
 }
 
@@ -45,17 +45,17 @@ Space product_in_depth(const Space& outer, const Space& inner)
     const Triple y = turned(outer, {inner.plane.xy, inner.plane.yy, inner.zy});
     const Triple z = turned(outer, {inner.xz, inner.yz, inner.zz});
     const Triple shift = turned(outer, {inner.plane.x0, inner.plane.y0, inner.z0});
-    return {.plane = {.xx = held_factor(x.x),
-                      .xy = held_factor(y.x),
-                      .yx = held_factor(x.y),
-                      .yy = held_factor(y.y),
+    return {.plane = {.xx = clamped_factor(x.x),
+                      .xy = clamped_factor(y.x),
+                      .yx = clamped_factor(x.y),
+                      .yy = clamped_factor(y.y),
                       .x0 = outer.plane.x0 + shift.x,
                       .y0 = outer.plane.y0 + shift.y},
-            .xz = held_factor(z.x),
-            .yz = held_factor(z.y),
-            .zx = held_factor(x.z),
-            .zy = held_factor(y.z),
-            .zz = held_factor(z.z),
+            .xz = clamped_factor(z.x),
+            .yz = clamped_factor(z.y),
+            .zx = clamped_factor(x.z),
+            .zy = clamped_factor(y.z),
+            .zz = clamped_factor(z.z),
             .z0 = outer.z0 + shift.z};
 }
 
@@ -167,7 +167,7 @@ std::int32_t Projection::scale_factor_at(Point point) const
     const int shift = excess_bits(camera_.distance);
     const auto distance = static_cast<std::uint32_t>(camera_.distance >> shift);
     const auto grown = [&](std::int32_t own, std::int64_t at, std::int32_t depth) {
-        return held_factor(times(own + within_reach(quotient(at * depth >> shift, distance)), near));
+        return clamped_factor(times(own + within_reach(quotient(at * depth >> shift, distance)), near));
     };
     const Affine& plane = space_.plane;
     return Affine{.xx = grown(plane.xx, seen_x, space_.zx),
@@ -194,7 +194,7 @@ std::int32_t Projection::scale_factor_facing(Point point) const
     };
     const Affine& plane = space_.plane;
     const std::uint64_t area = length(plane.xx, plane.yx, space_.zx) * length(plane.xy, plane.yy, space_.zy);
-    return held_factor(times(square_root(area), nearness(point)));
+    return clamped_factor(times(square_root(area), nearness(point)));
 }
 
 int ViewProjection::pieces_of(const Segment& segment) const

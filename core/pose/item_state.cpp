@@ -74,7 +74,7 @@ std::optional<RigidPlacement> RigidPlacements::of(const Affine& map) const
         ++bits;
     const int up = bits + max_scale_bits; // from the smallest scale
     const std::int64_t scale = std::int64_t{base_ >> max_scale_bits} << up;
-    if (bits > max_scale_bits || scale > Affine::steepest || shear > (tolerance << up) >> max_scale_bits ||
+    if (bits > max_scale_bits || scale > Affine::max_factor || shear > (tolerance << up) >> max_scale_bits ||
         !is_within(map.x0, max_shift) || !is_within(map.y0, max_shift))
         return std::nullopt;
     const auto scaled = [up](std::int32_t value) {

@@ -40,7 +40,7 @@ Point placed_across(const BackboneNode& a, const BackboneNode& b, Point Backbone
         };
         return mix(mixed(&BackboneNode::middle), mixed(side), width);
     };
-    return clamped_point(placed(&Point::x), placed(&Point::y), farthest_tweened);
+    return clamped_point(placed(&Point::x), placed(&Point::y), max_tweened_coordinate);
 }
 
 bool is_small(Point point)

@@ -49,7 +49,7 @@ FineValues values_at_rest(const BoneSetUp& bone)
 }
 
 /// How many times as long as set up, at most 64 times; Q16.
-std::int64_t play_range_of(std::int64_t length, std::uint32_t set_up_length)
+std::int64_t stretch_factor(std::int64_t length, std::uint32_t set_up_length)
 {
     if (length == set_up_length) // mostly
         return Fixed::one;
@@ -108,7 +108,7 @@ void PosedBone::pose(const BoneSetUp& bone, const PosedBone* parent,
     const std::int64_t set_up_length = std::int64_t{bone.at_rest(BoneQuantity::length)} << fine_bits;
     const std::int64_t length = std::max<std::int32_t>(of(fine, BoneQuantity::length), 0);
     extension_ = fine_pixels(static_cast<std::int32_t>(length - set_up_length));
-    const std::int64_t stretch = play_range_of(length, static_cast<std::uint32_t>(set_up_length));
+    const std::int64_t stretch = stretch_factor(length, static_cast<std::uint32_t>(set_up_length));
     const auto [c, s] = rest_.direction;
     const auto [posed_c, posed_s] = posed_.direction;
     xx_ = factor(stretch, product_q30_down(posed_c, c), product_q30_down(posed_s, s));
@@ -125,8 +125,8 @@ Point PosedBone::operator()(Point point) const
     const std::int32_t y = from.y.raw();
     if (is_small_distance(x) && is_small_distance(y) && is_small_factor(xx_) && is_small_factor(xy_) &&
         is_small_factor(yx_) && is_small_factor(yy_)) // mostly
-        return {held(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
-                held(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
+        return {clamped(posed_.origin.x.raw() + short_sum_of_products(xx_, x, xy_, y)),
+                clamped(posed_.origin.y.raw() + short_sum_of_products(yx_, x, yy_, y))};
     return clamped_point(posed_.origin.x.raw() + sum_of_products(xx_, x, xy_, y),
                          posed_.origin.y.raw() + sum_of_products(yx_, x, yy_, y));
 }
@@ -234,7 +234,7 @@ Point DeformedDrawing::deformed(Point point, Point at_rest, const Binding& bindi
 {
     const Point moved = deformed_by(bones_, at_rest, binding);
     return clamped_point(std::int64_t{point.x.raw()} + moved.x.raw() - at_rest.x.raw(),
-                         std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(), farthest_tweened);
+                         std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(), max_tweened_coordinate);
 }
 
 }

@@ -140,7 +140,7 @@ void Controls::turn(const Touch& touch, Playhead& playhead)
 void Controls::play(const StoredName& clip, Playhead& playhead)
 {
     const bool is_playing_it = before_ && clip_ == clip;
-    if (is_playing_it && playhead.stretch().loop != Loop::once)
+    if (is_playing_it && playhead.range().loop != Loop::once)
         return go_back(playhead);
     if (!before_)
         before_ = playhead;
@@ -153,10 +153,10 @@ void Controls::play(const StoredName& clip, Playhead& playhead)
 /// A button's clip goes first: the knob's position is used when it has finished.
 void Controls::place(const Touch& touch, Playhead& playhead)
 {
-    PlayRange stretch = range_named(touch.control.name);
-    stretch.loop = Loop::once; // or the end would look like the beginning
-    Playhead placed{stretch, scene_.events()};
-    placed.seek(stretch.begin + Time{static_cast<std::int32_t>(std::int64_t{stretch.length().ticks} *
+    PlayRange range = range_named(touch.control.name);
+    range.loop = Loop::once; // or the end would look like the beginning
+    Playhead placed{range, scene_.events()};
+    placed.seek(range.begin + Time{static_cast<std::int32_t>(std::int64_t{range.length().ticks} *
                                                                touch.level / full_level)});
     (before_ ? *before_ : playhead) = placed;
     is_placed_ = true;

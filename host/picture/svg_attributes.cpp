@@ -44,7 +44,7 @@ void SvgPath::add(const Segment& segment)
         write(segment.c2);
         return write(segment.to);
     }
-    flatten(segment, sight_.pieces_of(segment), [this](Point to) { write('L', to); });
+    flatten(segment, view_.pieces_of(segment), [this](Point to) { write('L', to); });
 }
 
 /// A fill is closed through the hub (core/pose/README.md, "Fills of broken strokes"); that it is closed
@@ -60,7 +60,7 @@ void SvgPath::end(Point hub, bool is_closed)
 void SvgPath::write(char command, Point at)
 {
     data_ += command;
-    const Point seen = sight_(at);
+    const Point seen = view_(at);
     data_ += svg_number(seen.x) + ' ' + svg_number(seen.y);
 }
 

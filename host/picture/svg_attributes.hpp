@@ -41,7 +41,7 @@ public:
     /// Curves stay curves, unless they are projected: then they become lines, for the projection of a curve
     /// is none.
     SvgPath(const Projection* projection, Use use)
-        : is_projected_{projection != nullptr}, sight_{projection, 0}, use_{use}
+        : is_projected_{projection != nullptr}, view_{projection, 0}, use_{use}
     {
     }
 
@@ -56,7 +56,7 @@ private:
     void write(Point at);
 
     bool is_projected_;
-    ViewProjection sight_;
+    ViewProjection view_;
     Use use_;
     Point last_; ///< as the next two, before it is projected
     Point start_;

@@ -6,21 +6,21 @@ namespace kfast {
 
 void ObjectOutline::stroke_with(const Pen& pen, const StrokeFeature& strokes)
 {
-    strokes.emplace(stroke_, outlines_, pen, sight_.coarseness());
+    strokes.emplace(stroke_, outlines_, pen, view_.coarseness());
 }
 
 void ObjectOutline::begin(Point from)
 {
     if (stroke_)
-        stroke_->begin(sight_(from));
+        stroke_->begin(view_(from));
     else
-        fill_.begin(sight_(from));
+        fill_.begin(view_(from));
 }
 
 void ObjectOutline::add(const Segment& segment)
 {
-    const int pieces = sight_.pieces_of(segment);
-    if (stroke_ || !sight_.is_flat())
+    const int pieces = view_.pieces_of(segment);
+    if (stroke_ || !view_.is_flat())
         return flatten(segment, pieces, [this](Point to) { line_to(to); });
     FillOutline fill = fill_; // a copy, for registers: most of what is drawn
     flatten(segment, pieces, [&fill](Point to) { fill.line_to(to); });
@@ -32,15 +32,15 @@ void ObjectOutline::end(Point hub, bool is_closed)
     if (stroke_)
         stroke_->end(is_closed);
     else
-        fill_.end(sight_(hub));
+        fill_.end(view_(hub));
 }
 
 void ObjectOutline::line_to(Point to)
 {
     if (stroke_)
-        stroke_->line_to(sight_(to));
+        stroke_->line_to(view_(to));
     else
-        fill_.line_to(sight_(to));
+        fill_.line_to(view_(to));
 }
 
 }

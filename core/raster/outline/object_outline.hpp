@@ -46,8 +46,8 @@ private:
 class ObjectOutline {
 public:
     /// The outline of the fill, until stroke_with() is called.
-    ObjectOutline(raster::OutlineStore& outlines, const ViewProjection& sight)
-        : outlines_{outlines}, sight_{sight}, fill_{outlines}
+    ObjectOutline(raster::OutlineStore& outlines, const ViewProjection& view)
+        : outlines_{outlines}, view_{view}, fill_{outlines}
     {
     }
 
@@ -61,7 +61,7 @@ private:
     void line_to(Point seen);
 
     raster::OutlineStore& outlines_;
-    ViewProjection sight_;
+    ViewProjection view_;
     FillOutline fill_;
     std::optional<StrokeOutline> stroke_;
 };

@@ -68,21 +68,21 @@ TEST_CASE("growth is the mean of all directions that keeps areas")
     CHECK(Affine{.xx = q16(4), .yy = q16(9)}.scale_factor() == q16(6));
     CHECK(Affine{.xx = 0, .xy = q16(-2), .yx = q16(2), .yy = 0}.scale_factor() == q16(2));
     CHECK(Affine{.xx = q16(1), .xy = q16(1), .yx = q16(1), .yy = q16(1)}.scale_factor() == 0);
-    const Affine steepest{
-        .xx = Affine::steepest, .xy = -Affine::steepest, .yx = Affine::steepest, .yy = Affine::steepest};
-    CHECK(std::abs(steepest.scale_factor() / (std::sqrt(2.0) * Affine::steepest) - 1) < 1e-6);
+    const Affine max_factor{
+        .xx = Affine::max_factor, .xy = -Affine::max_factor, .yx = Affine::max_factor, .yy = Affine::max_factor};
+    CHECK(std::abs(max_factor.scale_factor() / (std::sqrt(2.0) * Affine::max_factor) - 1) < 1e-6);
 }
 
 TEST_CASE("what would leave the ranges is held at their ends")
 {
-    const Affine steep{.xx = Affine::steepest, .yy = -Affine::steepest, .x0 = q16(4000), .y0 = 0};
-    CHECK((steep * steep).xx == Affine::steepest);
-    CHECK((steep * Affine{.xx = -2 * Fixed::one}).xx == -Affine::steepest);
+    const Affine steep{.xx = Affine::max_factor, .yy = -Affine::max_factor, .x0 = q16(4000), .y0 = 0};
+    CHECK((steep * steep).xx == Affine::max_factor);
+    CHECK((steep * Affine{.xx = -2 * Fixed::one}).xx == -Affine::max_factor);
     CHECK(steep(pixels(2000, 2000)) == pixels(16383, -16383));
     Affine deep = steep;
     for (int depth = 0; depth < 9; ++depth)
-        deep = deep * Affine{.xx = Affine::steepest,
-                             .yy = Affine::steepest,
+        deep = deep * Affine{.xx = Affine::max_factor,
+                             .yy = Affine::max_factor,
                              .x0 = std::int64_t{65536} << 16,
                              .y0 = -(std::int64_t{65536} << 16)};
     CHECK(deep(pixels(0, 0)) == pixels(16383, 16383));
@@ -93,7 +93,7 @@ TEST_CASE("half a width grows with the lengths and has an end")
     CHECK(half_width(Fixed::pixels(5), Fixed::one) == pixels(2.5, 0).x);
     CHECK(half_width(Fixed::pixels(5), 3 * Fixed::one) == pixels(7.5, 0).x);
     CHECK(half_width(Fixed::from_raw(1), Fixed::one).raw() == 1); // rounded up
-    CHECK(half_width(Fixed::pixels(4095), Affine::steepest) == Fixed::pixels(4095));
+    CHECK(half_width(Fixed::pixels(4095), Affine::max_factor) == Fixed::pixels(4095));
 }
 
 }

@@ -215,7 +215,7 @@ TEST_CASE("any space and any camera give a point that is held within 16383 px, a
         const std::int64_t values[] = {-max, max, 0, 1, static_cast<std::int64_t>(random()) % max};
         return values[random() % 5];
     };
-    const auto factor = [&] { return static_cast<std::int32_t>(extreme(Affine::steepest)); };
+    const auto factor = [&] { return static_cast<std::int32_t>(extreme(Affine::max_factor)); };
     const auto shift = [&] { return extreme(std::int64_t{1} << 48); };
     for (int round = 0; round < 20'000; ++round) {
         const Space space{.plane = {.xx = factor(),

@@ -107,18 +107,18 @@ TEST_CASE("a product maps by the inner space first")
 
 TEST_CASE("factors of a product are held at the steepest")
 {
-    const Space steep{.plane = {.xx = Affine::steepest, .yy = -Affine::steepest},
-                      .xz = Affine::steepest,
-                      .yz = -Affine::steepest,
-                      .zx = Affine::steepest,
-                      .zy = Affine::steepest,
-                      .zz = Affine::steepest,
+    const Space steep{.plane = {.xx = Affine::max_factor, .yy = -Affine::max_factor},
+                      .xz = Affine::max_factor,
+                      .yz = -Affine::max_factor,
+                      .zx = Affine::max_factor,
+                      .zy = Affine::max_factor,
+                      .zz = Affine::max_factor,
                       .z0 = std::int64_t{1} << 32};
     const Space steeper = product(steep, steep, every_feature);
-    CHECK(steeper.plane.xx == Affine::steepest);
-    CHECK(steeper.plane.yx == -Affine::steepest);
-    CHECK(steeper.xz == Affine::steepest);
-    CHECK(steeper.zz == Affine::steepest);
+    CHECK(steeper.plane.xx == Affine::max_factor);
+    CHECK(steeper.plane.yx == -Affine::max_factor);
+    CHECK(steeper.xz == Affine::max_factor);
+    CHECK(steeper.zz == Affine::max_factor);
 }
 
 }

@@ -56,15 +56,15 @@ TEST_CASE("what is sheared, squashed or far away is not rigid")
     CHECK_FALSE(placements.of({.xx = q16(1.1)}));
     CHECK_FALSE(placements.of({.xy = q16(0.1)}));
     CHECK_FALSE(placements.of({.x0 = std::int64_t{9000} * Fixed::one}));
-    CHECK_FALSE(placements.of({.xx = Affine::steepest, .yy = Affine::steepest}));
-    CHECK_FALSE(placements.of({.xx = -Affine::steepest, .yy = -Affine::steepest}));
+    CHECK_FALSE(placements.of({.xx = Affine::max_factor, .yy = Affine::max_factor}));
+    CHECK_FALSE(placements.of({.xx = -Affine::max_factor, .yy = -Affine::max_factor}));
     CHECK(placements.of({.x0 = std::int64_t{8000} * Fixed::one}));
     CHECK(placements.of({.xx = -Fixed::one}));            // a mirror
-    const RigidPlacements of_one_pixel{Affine::steepest}; // on 4096
-    CHECK(of_one_pixel.of({.xx = Affine::steepest, .yy = Affine::steepest}));
+    const RigidPlacements of_one_pixel{Affine::max_factor}; // on 4096
+    CHECK(of_one_pixel.of({.xx = Affine::max_factor, .yy = Affine::max_factor}));
     CHECK_FALSE(
-        RigidPlacements{Affine::steepest / 2}.of({.xx = Affine::steepest, .yy = Affine::steepest / 2}));
-    CHECK(RigidPlacements{Affine::steepest / 2}.of({.xx = Affine::steepest, .yy = Affine::steepest}));
+        RigidPlacements{Affine::max_factor / 2}.of({.xx = Affine::max_factor, .yy = Affine::max_factor / 2}));
+    CHECK(RigidPlacements{Affine::max_factor / 2}.of({.xx = Affine::max_factor, .yy = Affine::max_factor}));
 }
 
 TEST_CASE("corners are placed where the map places points")
