@@ -58,7 +58,8 @@ Result<Player> Player::create(const SceneView& scene, Size panel, Fit fit, std::
 
 /// What moves is at the end, as it can have any number of bytes.
 Player::Player(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-    : SceneState{scene, panel, fit, block.last(bytes_for(scene))}, panel_{panel},
+    : SceneState{scene, panel, fit, block.last(bytes_for(scene))},
+      panel_{panel},
       renderer_{needs_of(scene, panel), panel, scene.colour(0), block.first(block.size() - bytes_for(scene))}
 {
     move_to({});

@@ -6,7 +6,9 @@
 namespace kfast {
 
 Playhead::Playhead(const PlayRange& range, EventCursor events)
-    : range_{range}, events_{events}, place_{place_of(range.begin)},
+    : range_{range},
+      events_{events},
+      place_{place_of(range.begin)},
       has_events_{count({range.begin.ticks, range.end.ticks}) > 0}
 {
     expects(range.begin < range.end);

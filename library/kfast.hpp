@@ -46,8 +46,8 @@ public:
     /// Constructs it in place, for a small stack: what create() returns is copied. `scene` was parsed, and
     /// `block` has Player::block_bytes() for it or more.
     Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
-        : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))}, stretch_{play_range_of(
-                                                                                          scene)}
+        : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))},
+          stretch_{play_range_of(scene)}
     {
     }
 

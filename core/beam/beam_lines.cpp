@@ -4,7 +4,8 @@ namespace kfast {
 
 BeamLines::BeamLines(std::span<std::byte> storage)
     : points_{reinterpret_cast<FieldPoint*>(storage.data())},
-      end_{reinterpret_cast<BeamLine*>(storage.data() + storage.size())}, size_{storage.size()}
+      end_{reinterpret_cast<BeamLine*>(storage.data() + storage.size())},
+      size_{storage.size()}
 {
 }
 

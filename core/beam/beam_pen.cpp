@@ -29,11 +29,13 @@ bool BeamPen::Place::is_in_field() const
 
 BeamPen::BeamPen(BeamLines& lines, const ViewProjection& view, int resolution, BeamInk ink, Colour colour,
                  std::uint32_t item)
-    : lines_{lines}, view_{view}, shift_{static_cast<int>(
-                                               std::bit_width(static_cast<unsigned>(resolution))) -
-                                           2},
+    : lines_{lines},
+      view_{view},
+      shift_{static_cast<int>(std::bit_width(static_cast<unsigned>(resolution))) - 2},
       merging_{view.coarseness() == 0 ? 0 : (field_side / resolution >> merging_bits) << view.coarseness()},
-      ink_{ink}, colour_{colour}, item_{item}
+      ink_{ink},
+      colour_{colour},
+      item_{item}
 {
 }
 

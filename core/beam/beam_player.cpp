@@ -19,7 +19,8 @@ struct BlockPlan {
     std::size_t live;
 
     BlockPlan(const SceneView& scene, const BeamProfile& profile, std::size_t live_bytes)
-        : lines{line_bytes(scene, profile)}, legs{whole_words(BeamLines::max_in(lines) * sizeof(BeamLeg))},
+        : lines{line_bytes(scene, profile)},
+          legs{whole_words(BeamLines::max_in(lines) * sizeof(BeamLeg))},
           live{live_bytes}
     {
     }
@@ -74,7 +75,8 @@ Result<BeamPlayer> BeamPlayer::create(const SceneView& scene, const BeamProfile&
 
 BeamPlayer::BeamPlayer(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget,
                        std::span<std::byte> block)
-    : SceneState{scene, field_panel(profile), Fit::contain, block.last(bytes_for(scene))}, profile_{profile},
+    : SceneState{scene, field_panel(profile), Fit::contain, block.last(bytes_for(scene))},
+      profile_{profile},
       budget_{std::min(budget, profile.rate / std::max<std::uint32_t>(profile.min_refresh, 1))}
 {
     const BlockPlan plan{scene, profile, bytes_for(scene)};

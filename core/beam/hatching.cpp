@@ -19,9 +19,11 @@ std::int32_t spacing_of(const BeamStyle& style, int wider)
 }
 
 Hatching::Hatching(std::span<std::byte> memory, const BeamStyle& style, int wider, int coarseness)
-    : crossings_{reinterpret_cast<Crossing*>(memory.data())}, max_{memory.size() / bytes_of_crossing},
+    : crossings_{reinterpret_cast<Crossing*>(memory.data())},
+      max_{memory.size() / bytes_of_crossing},
       spacing_{spacing_of(style, wider)},
-      direction_{cosine(style.direction), sine(style.direction)}, view_{nullptr, coarseness}
+      direction_{cosine(style.direction), sine(style.direction)},
+      view_{nullptr, coarseness}
 {
 }
 

@@ -109,8 +109,11 @@ constexpr Colour whole_light{255, 255, 255, 255};
 PointStream::PointStream(const BeamLines& lines, std::span<const BeamLeg> legs, const BeamProfile& profile,
                          const BeamTiming& timing)
     : sequencer_{lines, legs.first(timing.legs), StepProfile{profile, timing.speed_level}, timing.pause},
-      places_{sequencer_}, standing_{profile, timing.amount.points}, is_late_{profile.light_delay != 0},
-      is_laser_{profile.is_laser}, brightness_{profile.brightness}
+      places_{sequencer_},
+      standing_{profile, timing.amount.points},
+      is_late_{profile.light_delay != 0},
+      is_laser_{profile.is_laser},
+      brightness_{profile.brightness}
 {
     for (int ahead = 0; ahead < profile.light_delay; ++ahead)
         next_place();

@@ -29,7 +29,8 @@ struct Affine {
 
 constexpr std::int32_t clamped_factor(std::int64_t value)
 {
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, -Affine::max_factor, Affine::max_factor));
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(value, -Affine::max_factor, Affine::max_factor));
 }
 
 /// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px. What

@@ -22,8 +22,9 @@ class BrokenDrawing {
 public:
     /// `make(is_second)` returns the drawing, unread: so it comes to its place without a copy.
     BrokenDrawing(FunctionRef<R(bool)> make, bool is_second, std::uint32_t partner_strokes)
-        : reader_{make(is_second)}, strokes_{reader_.strokes()}, parts_{std::max(partner_strokes, strokes_),
-                                                                        std::max<std::uint32_t>(strokes_, 1)}
+        : reader_{make(is_second)},
+          strokes_{reader_.strokes()},
+          parts_{std::max(partner_strokes, strokes_), std::max<std::uint32_t>(strokes_, 1)}
     {
     }
 
@@ -192,10 +193,12 @@ public:
     /// has as many strokes on both sides, and `make` is asked for the first drawing alone.
     [[gnu::noinline]] EqualizedPair(std::uint32_t strokes_of_a, std::uint32_t strokes_of_b, bool is_single,
                                     FunctionRef<R(bool)> make)
-        : a_{make, strokes_of_a == 0 && !is_single, strokes_of_b}, b_{make, strokes_of_b != 0 && !is_single,
-                                                                      strokes_of_a},
-          is_single_{is_single || strokes_of_a == 0 || strokes_of_b == 0}, a_is_empty_{strokes_of_a == 0},
-          b_is_empty_{strokes_of_b == 0}, is_plain_{strokes_of_a == strokes_of_b},
+        : a_{make, strokes_of_a == 0 && !is_single, strokes_of_b},
+          b_{make, strokes_of_b != 0 && !is_single, strokes_of_a},
+          is_single_{is_single || strokes_of_a == 0 || strokes_of_b == 0},
+          a_is_empty_{strokes_of_a == 0},
+          b_is_empty_{strokes_of_b == 0},
+          is_plain_{strokes_of_a == strokes_of_b},
           strokes_left_{a_is_empty_ && b_is_empty_ ? 0 : a_.parts()}
     {
     }

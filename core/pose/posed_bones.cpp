@@ -234,7 +234,8 @@ Point DeformedDrawing::deformed(Point point, Point at_rest, const Binding& bindi
 {
     const Point moved = deformed_by(bones_, at_rest, binding);
     return clamped_point(std::int64_t{point.x.raw()} + moved.x.raw() - at_rest.x.raw(),
-                         std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(), max_tweened_coordinate);
+                         std::int64_t{point.y.raw()} + moved.y.raw() - at_rest.y.raw(),
+                         max_tweened_coordinate);
 }
 
 }

@@ -43,8 +43,12 @@ class KeptPoints {
 public:
     KeptPoints(TweenReader& tween, ProgressXY progress, const PosedBackbones* backbones,
                const Affine& placement)
-        : tween_{tween}, progress_{progress}, backbones_{backbones}, place_{placement},
-          is_simple_{backbones == nullptr && tween.is_short() && place_.is_shift()}, shift_{place_.shift()}
+        : tween_{tween},
+          progress_{progress},
+          backbones_{backbones},
+          place_{placement},
+          is_simple_{backbones == nullptr && tween.is_short() && place_.is_shift()},
+          shift_{place_.shift()}
     {
     }
 

@@ -34,7 +34,9 @@ public:
     PosedWires(std::span<const std::byte> drawings, const WireDrawing& from, const WireDrawing& to,
                ProgressXY progress, const Projection& projection)
         : flat_{pair_of(drawings, from.flat, to.flat, progress)},
-          depths_{pair_of(drawings, from.depths, to.depths, progress)}, progress_{progress}, see_{projection}
+          depths_{pair_of(drawings, from.depths, to.depths, progress)},
+          progress_{progress},
+          see_{projection}
     {
     }
 
@@ -140,7 +142,9 @@ public:
                  const PosedBackbones* backbones, const Affine& placement)
         : pair_{strokes.a, progress.is_at_beginning() ? strokes.a : strokes.b, progress.is_at_beginning(),
                 make},
-          progress_{progress}, backbones_{backbones}, place_{placement}
+          progress_{progress},
+          backbones_{backbones},
+          place_{placement}
     {
     }
 

@@ -18,8 +18,8 @@ Fixed wide(std::uint32_t word) { return Fixed::from_raw(static_cast<std::int32_t
 class TweenWriter {
 public:
     TweenWriter(PictureCache& cache, bool is_single, bool is_wide)
-        : cache_{cache}, form_{(is_single ? TweenReader::single_form : 0) |
-                               (is_wide ? TweenReader::wide_form : 0)}
+        : cache_{cache},
+          form_{(is_single ? TweenReader::single_form : 0) | (is_wide ? TweenReader::wide_form : 0)}
     {
     }
 

@@ -15,9 +15,16 @@ class Walk {
 public:
     Walk(const Band& band, std::span<const Record::Border> shown, std::span<const PaintStep> shown_steps,
          const Slots& slots, int columns, bool is_known, RegionList& dirty)
-        : band_{band}, steps_{shown_steps}, slots_{slots}, fixed_{slots.same & ~slots.recoloured},
-          regions_{dirty.data()}, end_{dirty.data()}, columns_{columns}, is_known_{is_known},
-          border_{shown.data()}, borders_end_{shown.data() + shown.size()}
+        : band_{band},
+          steps_{shown_steps},
+          slots_{slots},
+          fixed_{slots.same & ~slots.recoloured},
+          regions_{dirty.data()},
+          end_{dirty.data()},
+          columns_{columns},
+          is_known_{is_known},
+          border_{shown.data()},
+          borders_end_{shown.data() + shown.size()}
     {
         take_chain(band.first());
         read_border();

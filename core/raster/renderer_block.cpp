@@ -26,10 +26,13 @@ struct BlockPlan {
     std::size_t changed;
 
     BlockPlan(const RendererNeeds& needs, Size panel)
-        : outlines{needs.outline_bytes}, cache{needs.cache_bytes}, steps{needs.steps * sizeof(PaintStep)},
-          heads{static_cast<std::size_t>(band_count(panel)) * 4}, backdrops{needs.group_depth * tile_bytes},
-          record{whole_words(needs.record_bytes)}, counts{whole_words(
-                                                       static_cast<std::size_t>(band_count(panel)))},
+        : outlines{needs.outline_bytes},
+          cache{needs.cache_bytes},
+          steps{needs.steps * sizeof(PaintStep)},
+          heads{static_cast<std::size_t>(band_count(panel)) * 4},
+          backdrops{needs.group_depth * tile_bytes},
+          record{whole_words(needs.record_bytes)},
+          counts{whole_words(static_cast<std::size_t>(band_count(panel)))},
           changed{BandSet::words_for(band_count(panel)) * 4}
     {
     }

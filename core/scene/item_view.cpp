@@ -137,9 +137,10 @@ void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 }
 
 KeyCursor::KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more)
-    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())}, drawings_{PackedValues::take(
-                                                                        bytes, key_times_.count())},
-      has_arrivals_{has_arrivals}, has_more_{has_more}
+    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())},
+      drawings_{PackedValues::take(bytes, key_times_.count())},
+      has_arrivals_{has_arrivals},
+      has_more_{has_more}
 {
     if (has_arrivals)
         arrivals_ = PackedValues::take(bytes, key_times_.count());

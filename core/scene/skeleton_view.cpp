@@ -61,8 +61,8 @@ SkeletonView::SkeletonView(ByteReader bytes)
 }
 
 BackboneKeyCursor::BackboneKeyCursor(ByteReader& bytes)
-    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())}, drawings_{PackedValues::take(
-                                                                        bytes, key_times_.count())}
+    : key_times_{KeyTimeCursor::take(bytes, KeyTimeCursor::one())},
+      drawings_{PackedValues::take(bytes, key_times_.count())}
 {
 }
 

@@ -42,7 +42,9 @@ std::size_t beam_player_bytes(const SceneView& scene, const BoardFacts& facts)
 }
 
 PlaybackSession::PlaybackSession(const BoardFacts& facts)
-    : facts_{facts}, now_{built_in_item()}, brightness_{facts.settings.panel.brightness},
+    : facts_{facts},
+      now_{built_in_item()},
+      brightness_{facts.settings.panel.brightness},
       turned_brightness_{facts.settings.panel.brightness}
 {
 }

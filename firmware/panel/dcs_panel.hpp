@@ -33,8 +33,10 @@ public:
 
     /// `bus` and `controller` must outlive the panel.
     DcsPanel(Bus& bus, const PanelSettings& settings, const DcsController& controller)
-        : bus_{bus}, settings_{settings}, controller_{controller}, place_{picture_place(settings,
-                                                                                        controller.memory)}
+        : bus_{bus},
+          settings_{settings},
+          controller_{controller},
+          place_{picture_place(settings, controller.memory)}
     {
     }
 

@@ -157,7 +157,7 @@ void Controls::place(const Touch& touch, Playhead& playhead)
     range.loop = Loop::once; // or the end would look like the beginning
     Playhead placed{range, scene_.events()};
     placed.seek(range.begin + Time{static_cast<std::int32_t>(std::int64_t{range.length().ticks} *
-                                                               touch.level / full_level)});
+                                                             touch.level / full_level)});
     (before_ ? *before_ : playhead) = placed;
     is_placed_ = true;
     apply_speed(playhead);

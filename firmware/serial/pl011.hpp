@@ -12,8 +12,13 @@ class Pl011 {
 public:
     /// Where its registers begin.
     explicit constexpr Pl011(std::uint32_t address)
-        : uartdr_{address}, uartfr_{address + 0x18}, uartibrd_{address + 0x24}, uartfbrd_{address + 0x28},
-          uartlcr_h_{address + 0x2C}, uartcr_{address + 0x30}, uartimsc_{address + 0x38}
+        : uartdr_{address},
+          uartfr_{address + 0x18},
+          uartibrd_{address + 0x24},
+          uartfbrd_{address + 0x28},
+          uartlcr_h_{address + 0x2C},
+          uartcr_{address + 0x30},
+          uartimsc_{address + 0x38}
     {
     }
 

@@ -83,8 +83,12 @@ double BeamScreen::field_side_on(Size size) { return field_share * std::min(size
 
 BeamScreen::BeamScreen(const BeamProfile& profile, const BeamDisplay& display, Size size,
                        std::int64_t default_points)
-    : display_{display}, film_{display.phosphor}, beam_{display.deflection, profile.rate},
-      sheet_{size, film_.channels()}, fading_{fading_of(display, profile.rate)}, frame_{black(size)}
+    : display_{display},
+      film_{display.phosphor},
+      beam_{display.deflection, profile.rate},
+      sheet_{size, film_.channels()},
+      fading_{fading_of(display, profile.rate)},
+      frame_{black(size)}
 {
     exposure_ = exposure_of(profile, fading_, size, spot_deviation(), default_points);
 }

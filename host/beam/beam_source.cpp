@@ -8,8 +8,8 @@
 namespace kfast {
 
 BeamSource::BeamSource(const SceneView& scene, const BeamProfile& profile, std::uint32_t budget)
-    : block_{BeamPlayer::block_bytes(scene, profile)}, player_{*BeamPlayer::create(scene, profile, budget,
-                                                                                   block_.bytes())}
+    : block_{BeamPlayer::block_bytes(scene, profile)},
+      player_{*BeamPlayer::create(scene, profile, budget, block_.bytes())}
 {
 }
 

@@ -141,8 +141,9 @@ int box_reach(double deviation)
 }
 
 LightSheet::LightSheet(Size size, int channels)
-    : size_{size}, channels_{channels}, pixels_{static_cast<std::size_t>(size.width) *
-                                                static_cast<std::size_t>(size.height)},
+    : size_{size},
+      channels_{channels},
+      pixels_{static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)},
       planes_(pixels_ * static_cast<std::size_t>(channels))
 {
 }

@@ -97,8 +97,9 @@ std::span<const PhosphorName> phosphor_names()
 }
 
 Film::Film(Phosphor phosphor)
-    : phosphor_{phosphor}, light_{light_table()}, levels_{level_table(channels() == 1 ? level_sensitivity
-                                                                                      : sensitivity)},
+    : phosphor_{phosphor},
+      light_{light_table()},
+      levels_{level_table(channels() == 1 ? level_sensitivity : sensitivity)},
       colours_{colour_table(tint_of(phosphor))}
 {
 }

@@ -55,7 +55,8 @@ class Film {
 public:
     Film(const kfast::SceneView& scene, int loops)
         : source_{scene, scene.canvas(), kfast::Fit::none, kfast::PixelFormat::rgb565},
-          timeline_{kfast::timeline_of(scene)}, frames_{timeline_.frame_count() * loops}
+          timeline_{kfast::timeline_of(scene)},
+          frames_{timeline_.frame_count() * loops}
     {
     }
 

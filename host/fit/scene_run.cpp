@@ -44,10 +44,14 @@ OpCounts FrameOps::work() const
 }
 
 SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
-    : target_{target}, stretch_{steady_stretch(scene)}, frames_{frames_in_turn(stretch_)},
+    : target_{target},
+      stretch_{steady_stretch(scene)},
+      frames_{frames_in_turn(stretch_)},
       stride_{(frames_ + max_frames - 1) / max_frames},
-      block_{Player::block_bytes(scene, target.display.size)}, band_{band_for(target)},
-      player_{*Player::create(scene, target.display.size, fit, block_.bytes())}, inputs_{player_}
+      block_{Player::block_bytes(scene, target.display.size)},
+      band_{band_for(target)},
+      player_{*Player::create(scene, target.display.size, fit, block_.bytes())},
+      inputs_{player_}
 {
 }
 
@@ -155,10 +159,12 @@ Time SceneRun::moment_of(int frame, Time offset) const
 }
 
 BeamRun::BeamRun(const SceneView& scene, const Target& target)
-    : stretch_{play_range_of(scene)}, frames_{frames_in_turn(stretch_)},
-      stride_{(frames_ + max_frames - 1) / max_frames}, block_{BeamPlayer::block_bytes(scene, *target.beam)},
-      player_{*BeamPlayer::create(scene, *target.beam, room_for_points(target), block_.bytes())}, inputs_{
-                                                                                                      player_}
+    : stretch_{play_range_of(scene)},
+      frames_{frames_in_turn(stretch_)},
+      stride_{(frames_ + max_frames - 1) / max_frames},
+      block_{BeamPlayer::block_bytes(scene, *target.beam)},
+      player_{*BeamPlayer::create(scene, *target.beam, room_for_points(target), block_.bytes())},
+      inputs_{player_}
 {
 }
 

@@ -55,8 +55,8 @@ class Ellipse {
 public:
     explicit Ellipse(const Arc& arc)
         : cosine_{std::cos(arc.rotation * std::numbers::pi / 180)},
-          sine_{std::sin(arc.rotation * std::numbers::pi / 180)}, radii_{usable_radius(arc.radius_x),
-                                                                         usable_radius(arc.radius_y)}
+          sine_{std::sin(arc.rotation * std::numbers::pi / 180)},
+          radii_{usable_radius(arc.radius_x), usable_radius(arc.radius_y)}
     {
         const Vec2 half = turned(0.5 * (arc.from - arc.to), cosine_, -sine_);
         const double stretch = std::hypot(half.x / radii_.x, half.y / radii_.y);

@@ -40,7 +40,10 @@ namespace {
 class TrailFinder {
 public:
     TrailFinder(std::size_t vertices, std::span<const Edge> edges)
-        : edges_{edges.begin(), edges.end()}, drawn_{edges.size()}, edges_at_(vertices), next_at_(vertices),
+        : edges_{edges.begin(), edges.end()},
+          drawn_{edges.size()},
+          edges_at_(vertices),
+          next_at_(vertices),
           is_walked_(edges.size())
     {
         for (std::size_t edge = 0; edge < drawn_; ++edge)

@@ -71,7 +71,10 @@ class SceneUpload {
 public:
     SceneUpload(Session& session, const link::Begin& begin, std::span<const std::byte> scene,
                 const ByteProgressCallback& on_progress)
-        : session_{session}, begin_{begin}, scene_{scene}, on_progress_{on_progress},
+        : session_{session},
+          begin_{begin},
+          scene_{scene},
+          on_progress_{on_progress},
           patience_{begin.home == link::Home::slot ? patience_with_flash : patience_with_ram}
     {
     }

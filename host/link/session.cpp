@@ -87,8 +87,9 @@ std::string in_words(const link::Failure& failure)
 }
 
 Refusal::Refusal(const link::Failure& failure)
-    : Failure{in_words(failure), exit_status_of(failure.status)}, status_{failure.status}, number_{
-                                                                                               failure.number}
+    : Failure{in_words(failure), exit_status_of(failure.status)},
+      status_{failure.status},
+      number_{failure.number}
 {
 }
 

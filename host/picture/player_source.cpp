@@ -18,7 +18,8 @@ Frame empty_frame(Size size, PixelFormat format)
 }
 
 PlayerSource::PlayerSource(const SceneView& scene, Size panel, Fit fit, PixelFormat format)
-    : block_{Player::block_bytes(scene, panel)}, player_{*Player::create(scene, panel, fit, block_.bytes())},
+    : block_{Player::block_bytes(scene, panel)},
+      player_{*Player::create(scene, panel, fit, block_.bytes())},
       frame_{empty_frame(panel, format)}
 {
 }

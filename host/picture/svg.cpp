@@ -62,9 +62,10 @@ std::string decimal(double number)
 class Turns {
 public:
     Turns(const Timeline& timeline, std::int64_t end)
-        : end_{end}, rest_{" dur=\"" + decimal(timeline.seconds(end)) + "s\" calcMode=\"discrete\"" +
-                           (timeline.stretch.loop == Loop::once ? " fill=\"freeze\"/>\n"
-                                                                : " repeatCount=\"indefinite\"/>\n")}
+        : end_{end},
+          rest_{" dur=\"" + decimal(timeline.seconds(end)) + "s\" calcMode=\"discrete\"" +
+                (timeline.stretch.loop == Loop::once ? " fill=\"freeze\"/>\n"
+                                                     : " repeatCount=\"indefinite\"/>\n")}
     {
     }
 

@@ -37,10 +37,12 @@ StoredColour colour_of(std::uint32_t bits, int count)
 }
 
 DcsModel::DcsModel(const PanelSettings& settings, const DcsKind& kind)
-    : CommandModel{kind.commands, ParameterLine::high}, settings_{settings}, kind_{kind},
-      memory_size_{facts_of(settings.controller).memory}, memory_{memory_size_}, earliest_{kind_.reset_time,
-                                                                                           Time{},
-                                                                                           sleep_change}
+    : CommandModel{kind.commands, ParameterLine::high},
+      settings_{settings},
+      kind_{kind},
+      memory_size_{facts_of(settings.controller).memory},
+      memory_{memory_size_},
+      earliest_{kind_.reset_time, Time{}, sleep_change}
 {
 }
 

@@ -4,8 +4,11 @@ namespace kfast {
 
 OledModel::OledModel(std::vector<CommandForm> forms, ParameterLine line, const PanelSettings& settings,
                      Size memory, std::span<const NeededCommand> required)
-    : CommandModel{std::move(forms), line}, settings_{settings}, oled_{.lines = memory.height},
-      memory_size_{memory}, needed_{required}
+    : CommandModel{std::move(forms), line},
+      settings_{settings},
+      oled_{.lines = memory.height},
+      memory_size_{memory},
+      needed_{required}
 {
 }
 

@@ -12,8 +12,9 @@ template <Panel P>
 class BoardSource : public FrameSource {
 public:
     BoardSource(std::span<const std::byte> scene, const PanelSettings& settings)
-        : board_{scene, settings, 0}, player_{*Player::create(*SceneView::parse(scene), board_.panel().size(),
-                                                              Fit::contain, board_.block())}
+        : board_{scene, settings, 0},
+          player_{
+              *Player::create(*SceneView::parse(scene), board_.panel().size(), Fit::contain, board_.block())}
     {
         begin_panel(board_);
         light_panel(board_); // nobody sees it before the first picture

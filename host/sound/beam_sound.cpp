@@ -7,7 +7,8 @@
 namespace kfast {
 
 LedBeam::LedBeam(const BeamProfile& profile, const Deflection& deflection, const std::string& device)
-    : deflection_{deflection}, player_{profile.travel_step},
+    : deflection_{deflection},
+      player_{profile.travel_step},
       card_{SoundCard::open(device, profile.rate, [this](std::span<StereoSample> samples) { next(samples); })}
 {
 }

@@ -151,7 +151,9 @@ class WiredBoard {
 public:
     /// All of them must outlive the board.
     WiredBoard(P& panel, PanelLines& lines, const PanelShow& show)
-        : panel_{panel}, lines_{lines}, show_{show},
+        : panel_{panel},
+          lines_{lines},
+          show_{show},
           block_(Player::block_bytes(*SceneView::parse(show.scene), panel.size()))
     {
         for (auto& band : bands_)

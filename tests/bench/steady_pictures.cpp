@@ -16,9 +16,11 @@ std::size_t picture_bytes(Size panel)
 }
 
 SteadyPictures::SteadyPictures(const SceneView& scene, const PlayRange& stretch)
-    : block_(Player::block_bytes(scene, scene.canvas())), playhead_{stretch, scene.events()},
+    : block_(Player::block_bytes(scene, scene.canvas())),
+      playhead_{stretch, scene.events()},
       player_{*Player::create(scene, scene.canvas(), Fit::contain, block_)},
-      picture_(picture_bytes(scene.canvas())), before_(picture_.size())
+      picture_(picture_bytes(scene.canvas())),
+      before_(picture_.size())
 {
     draw();
 }

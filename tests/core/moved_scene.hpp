@@ -16,9 +16,10 @@ public:
     /// `scene` must outlive it.
     explicit MovedScene(const SceneView& scene)
         : scene_{scene},
-          memory_(PreparedScene::bytes_for(scene) / 4), prepared_{scene,
-                                                                  std::as_writable_bytes(std::span{memory_})},
-          spaces_(scene.records().spaces), bones_(scene.bone_count())
+          memory_(PreparedScene::bytes_for(scene) / 4),
+          prepared_{scene, std::as_writable_bytes(std::span{memory_})},
+          spaces_(scene.records().spaces),
+          bones_(scene.bone_count())
     {
         set_up_bones(scene, prepared_, bones_);
     }

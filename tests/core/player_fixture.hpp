@@ -37,8 +37,10 @@ struct PlayerFixture {
     }
 
     PlayerFixture(Bytes file, Size panel, Fit fit = Fit::contain)
-        : bytes{std::move(file)}, scene{accepted(bytes)},
-          block(Player::block_bytes(scene, panel)), player{*Player::create(scene, panel, fit, block)}
+        : bytes{std::move(file)},
+          scene{accepted(bytes)},
+          block(Player::block_bytes(scene, panel)),
+          player{*Player::create(scene, panel, fit, block)}
     {
     }
 

@@ -33,7 +33,9 @@ inline scene::Drawing bow() { return {{polyline_of({{160, 320}, {800, 320}, {800
 class OwnedState {
 public:
     OwnedState(Bytes file, Time time)
-        : file_{std::move(file)}, scene_{*SceneView::parse(file_)}, moved_{scene_},
+        : file_{std::move(file)},
+          scene_{*SceneView::parse(file_)},
+          moved_{scene_},
           state_{scene_, moved_.at(time), moved_.at(time).nodes()[1]}
     {
     }

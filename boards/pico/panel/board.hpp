@@ -19,8 +19,11 @@ class Board : public PlaybackBoard {
 public:
     /// All of them must outlive the board. The computer has begun.
     Board(Display& panel, const BoardSettings& settings, const Clock& clock, const Computer& computer)
-        : PlaybackBoard{settings, clock, computer}, panel_{panel}, settings_{settings},
-          light_{settings.pin(PinRole::backlight)}, tearing_line_{settings.pin(PinRole::tearing)}
+        : PlaybackBoard{settings, clock, computer},
+          panel_{panel},
+          settings_{settings},
+          light_{settings.pin(PinRole::backlight)},
+          tearing_line_{settings.pin(PinRole::tearing)}
     {
     }
 

@@ -48,8 +48,8 @@ void run_with_pieces_of(std::uint32_t bits)
 }
 
 ParallelBus::ParallelBus(const BoardSettings& settings)
-    : select_{settings.pin(PinRole::select), Pad::fast_output}, dc_{settings.pin(PinRole::dc),
-                                                                    Pad::fast_output}
+    : select_{settings.pin(PinRole::select), Pad::fast_output},
+      dc_{settings.pin(PinRole::dc), Pad::fast_output}
 {
     const Pin data = settings.pin(PinRole::data);
     const Pin write = settings.pin(PinRole::clock);

@@ -55,8 +55,8 @@ constexpr dma::Dreq request_of(int unit) { return unit == 0 ? dma::Dreq::spi0_tx
 
 SpiBus::SpiBus(const BoardSettings& settings)
     : unit_{*rp2040::spi_clock_unit(settings.pin(PinRole::clock))},
-      select_{settings.pin(PinRole::select), Pad::fast_output}, dc_{settings.pin(PinRole::dc),
-                                                                    Pad::fast_output}
+      select_{settings.pin(PinRole::select), Pad::fast_output},
+      dc_{settings.pin(PinRole::dc), Pad::fast_output}
 {
     start(unit_, spi_rate(settings.bus_clock));
     dma::begin();

@@ -35,7 +35,13 @@ public:
     /// Factors in Q14; shifts in 1/65536 px, at most max_shift.
     CornerMap(std::int32_t xx, std::int32_t xy, std::int32_t yx, std::int32_t yy, std::int32_t x0,
               std::int32_t y0)
-        : xx_{xx}, xy_{xy}, yx_{yx}, yy_{yy}, x_rest_{rest_of(x0)}, y_rest_{rest_of(y0)}, x_{x0 >> unit_bits},
+        : xx_{xx},
+          xy_{xy},
+          yx_{yx},
+          yy_{yy},
+          x_rest_{rest_of(x0)},
+          y_rest_{rest_of(y0)},
+          x_{x0 >> unit_bits},
           y_{y0 >> unit_bits}
     {
     }

@@ -64,8 +64,12 @@ Corner corner_on(Corner upper, Corner lower, std::int32_t y)
 
 OutlineStore::OutlineStore(std::span<std::byte> storage, std::span<std::uint32_t> heads, Size panel,
                            int band_bits)
-    : bytes_{storage.data()}, heads_{heads}, size_{storage.size()}, panel_{panel},
-      band_bits_{band_bits}, is_large_{panel.width > small_panel || panel.height > small_panel}
+    : bytes_{storage.data()},
+      heads_{heads},
+      size_{storage.size()},
+      panel_{panel},
+      band_bits_{band_bits},
+      is_large_{panel.width > small_panel || panel.height > small_panel}
 {
     clear();
 }

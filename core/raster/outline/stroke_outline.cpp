@@ -139,11 +139,12 @@ void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::Outli
 // A single corner on either side will do where a tip is no more than 1/64 px longer than the round of the
 // pen, that is half_width (1 - cos) / 4, and the angle below 29 degrees: then slight_meeting() is as near.
 StrokeOutline::StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness)
-    : outlines_{outlines}, pen_{pen}, slight_bend_{static_cast<std::int32_t>(
-                                          (1U << 31) / std::max<std::uint32_t>(
-                                                           static_cast<std::uint32_t>(pen.half_width.raw()),
-                                                           Fixed::one / 2)
-                                          << 11)},
+    : outlines_{outlines},
+      pen_{pen},
+      slight_bend_{static_cast<std::int32_t>(
+          (1U << 31) /
+              std::max<std::uint32_t>(static_cast<std::uint32_t>(pen.half_width.raw()), Fixed::one / 2)
+          << 11)},
       arc_step_{arc_step(pen.half_width, coarseness)}
 {
 }

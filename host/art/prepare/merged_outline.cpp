@@ -42,8 +42,10 @@ bool is_point(const CubicPiece& piece)
 
 MergedOutline::MergedOutline(std::vector<Outline*> outlines, std::span<const TweenRange> tweens,
                              double tolerance, const OutlineEdge& edge)
-    : outlines_{std::move(outlines)}, tweens_{tweens}, tolerance_{tolerance / tween_growth(tweens)}, edge_{
-                                                                                                         edge}
+    : outlines_{std::move(outlines)},
+      tweens_{tweens},
+      tolerance_{tolerance / tween_growth(tweens)},
+      edge_{edge}
 {
     read();
 }

@@ -12,8 +12,12 @@
 namespace kfast {
 
 ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what)
-    : done_(devices), total_{bytes * devices}, is_shown_{shown == Shown::on_a_terminal && line_.is_seen()},
-      begin_{Driver::now()}, drawn_{begin_ - between_drawings}, what_{std::move(what)}
+    : done_(devices),
+      total_{bytes * devices},
+      is_shown_{shown == Shown::on_a_terminal && line_.is_seen()},
+      begin_{Driver::now()},
+      drawn_{begin_ - between_drawings},
+      what_{std::move(what)}
 {
 }
 

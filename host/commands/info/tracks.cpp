@@ -175,8 +175,9 @@ double value_of(BoneQuantity quantity, std::int32_t value)
 class QuantityFacts {
 public:
     QuantityFacts(const SceneView& scene, const BoneView& bone, BoneQuantity quantity)
-        : scene_{scene}, quantity_{quantity}, counts_modulo_one_turn_{quantity == BoneQuantity::angle &&
-                                                                      !bone.turns_as_written}
+        : scene_{scene},
+          quantity_{quantity},
+          counts_modulo_one_turn_{quantity == BoneQuantity::angle && !bone.turns_as_written}
     {
     }
 

@@ -55,9 +55,14 @@ Vec2 in_pixels(Point point)
 
 BackboneCell::BackboneCell(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side,
                            double first, double last)
-    : corner_{in_pixels(a.middle)}, along_{in_pixels(b.middle) - corner_},
-      across_{in_pixels(a.*side) - corner_}, twist_{in_pixels(b.*side) - in_pixels(b.middle) - across_},
-      low_{corner_}, high_{corner_}, first_{first}, last_{last}
+    : corner_{in_pixels(a.middle)},
+      along_{in_pixels(b.middle) - corner_},
+      across_{in_pixels(a.*side) - corner_},
+      twist_{in_pixels(b.*side) - in_pixels(b.middle) - across_},
+      low_{corner_},
+      high_{corner_},
+      first_{first},
+      last_{last}
 {
     for (const Point point : {b.middle, a.*side, b.*side}) {
         const Vec2 spot = in_pixels(point);

@@ -120,12 +120,17 @@ Size panel_for(Size canvas) { return {canvas.width, std::min(3 * canvas.height, 
 }
 
 OutlineMeter::OutlineMeter(const SceneView& scene, std::size_t bytes)
-    : outlines_(bytes / 4), cache_(kfb::max_cache_bytes / 4),
-      heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)), steps_(scene.paint_steps()),
-      prepared_(PreparedScene::bytes_for(scene) / 4), spaces_(scene.records().spaces),
-      bones_(scene.bone_count()), backbone_nodes_(scene.backbone_nodes()),
+    : outlines_(bytes / 4),
+      cache_(kfb::max_cache_bytes / 4),
+      heads_(static_cast<std::size_t>(panel_for(scene.canvas()).height)),
+      steps_(scene.paint_steps()),
+      prepared_(PreparedScene::bytes_for(scene) / 4),
+      spaces_(scene.records().spaces),
+      bones_(scene.bone_count()),
+      backbone_nodes_(scene.backbone_nodes()),
       drawings_(InputDrawings::bytes_for(scene) / 4),
-      texts_(InputTexts::bytes_for(scene)), on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
+      texts_(InputTexts::bytes_for(scene)),
+      on_panel_{on_panel(scene, panel_for(scene.canvas()), Fit::none)}
 {
     on_panel_.prepared = PreparedScene{scene, std::as_writable_bytes(std::span{prepared_})};
     on_panel_.spaces = spaces_;

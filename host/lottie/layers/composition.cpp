@@ -42,7 +42,10 @@ private:
 class CompositionReader {
 public:
     CompositionReader(const Composition& composition, Animation& animation, const Reading& reading)
-        : composition_{composition}, layers_{composition.layers}, animation_{animation}, reading_{reading},
+        : composition_{composition},
+          layers_{composition.layers},
+          animation_{animation},
+          reading_{reading},
           tags_(layers_.size(), 0)
     {
         for (std::size_t i = 0; i < layers_.size(); ++i) {

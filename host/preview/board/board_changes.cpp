@@ -31,7 +31,8 @@ std::string SentAreas::text(Size panel) const
 }
 
 BoardChanges::BoardChanges(const SceneView& scene, const fit::Target& board, Fit fit)
-    : StandalonePlayer{scene, board.display.size, fit}, display_{board.display},
+    : StandalonePlayer{scene, board.display.size, fit},
+      display_{board.display},
       band_(std::max(board.band_bytes, fit::min_band(board.display)))
 {
 }

@@ -132,8 +132,11 @@ std::vector<FitLine> fit_lines(const fit::BeamFit& report, const fit::Target& bo
 class FitCheck::Work {
 public:
     Work(std::span<const std::byte> scene, std::vector<std::string> item_names, fit::Target board, Fit fit)
-        : scene_{scene.begin(), scene.end()}, item_names_{std::move(item_names)}, board_{std::move(board)},
-          fit_{fit}, thread_{[this](const std::stop_token& stop) { run(stop); }}
+        : scene_{scene.begin(), scene.end()},
+          item_names_{std::move(item_names)},
+          board_{std::move(board)},
+          fit_{fit},
+          thread_{[this](const std::stop_token& stop) { run(stop); }}
     {
     }
 

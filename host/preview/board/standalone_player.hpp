@@ -11,8 +11,8 @@ class StandalonePlayer : public InputReceiver {
 public:
     /// `scene`'s bytes must outlive it.
     StandalonePlayer(const SceneView& scene, Size panel, Fit fit)
-        : block_{Player::block_bytes(scene, panel)}, player_{
-                                                         *Player::create(scene, panel, fit, block_.bytes())}
+        : block_{Player::block_bytes(scene, panel)},
+          player_{*Player::create(scene, panel, fit, block_.bytes())}
     {
     }
     StandalonePlayer(const StandalonePlayer&) = delete;

@@ -27,7 +27,9 @@ Rect placement(Size picture, Size space)
 }
 
 ScaledPicture::ScaledPicture(const Picture& picture, Rect target)
-    : picture_{picture}, target_{target}, columns_{shares(picture.size.width, target.width)},
+    : picture_{picture},
+      target_{target},
+      columns_{shares(picture.size.width, target.width)},
       rows_{shares(picture.size.height, target.height)}
 {
 }

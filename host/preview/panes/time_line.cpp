@@ -41,7 +41,9 @@ int TimeLine::spare_height(const TimeTable& table)
 }
 
 TimeLine::TimeLine(const TimeTable& table, Rect pane, std::size_t first_row)
-    : table_{table}, pane_{pane}, names_width_{names_width(table, pane.width)},
+    : table_{table},
+      pane_{pane},
+      names_width_{names_width(table, pane.width)},
       first_row_{std::min(first_row, last_first_row())}
 {
 }

@@ -19,8 +19,13 @@ constexpr std::int32_t slowest = Playhead::as_authored / 16;
 
 PreviewPlayback::PreviewPlayback(PlaybackSetup playback_setup, Pace pace, Seconds now,
                                  std::optional<int> loops)
-    : setup_{std::move(playback_setup)}, pace_{pace}, loops_{loops}, part_{setup_.first},
-      speed_{setup_.speed}, playhead_{timeline().playhead(setup_.events)}, anchor_{now},
+    : setup_{std::move(playback_setup)},
+      pace_{pace},
+      loops_{loops},
+      part_{setup_.first},
+      speed_{setup_.speed},
+      playhead_{timeline().playhead(setup_.events)},
+      anchor_{now},
       board_clock_{timeline().seconds(frame_ticks)}
 {
     start_part(part_, now);

@@ -21,7 +21,9 @@ bool are_equal(const std::vector<InputKnob>& a, const std::vector<InputKnob>& b)
 }
 
 SceneLayers::SceneLayers(OpenedScene& scene)
-    : scene_{scene}, table_{time_table(scene.scene.view, scene.scene.item_names)}, overlays_{viewport()},
+    : scene_{scene},
+      table_{time_table(scene.scene.view, scene.scene.item_names)},
+      overlays_{viewport()},
       skin_{scene.scene.view.colour(0)}
 {
     if (scene.apply_drawings)

@@ -199,9 +199,9 @@ void take(const SDL_Event& event, PictureWindow::Events& into)
 class SdlWindow : public PictureWindow {
 public:
     SdlWindow(std::unique_ptr<Video> video, const std::string& title, Size size)
-        : video_{std::move(video)}, window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
-                                                                   SDL_WINDOWPOS_CENTERED, size.width,
-                                                                   size.height, SDL_WINDOW_RESIZABLE))},
+        : video_{std::move(video)},
+          window_{owned(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                                         size.width, size.height, SDL_WINDOW_RESIZABLE))},
           renderer_{owned(SDL_CreateRenderer(window_.get(), -1, 0))}
     {
         SDL_SetWindowMinimumSize(window_.get(), smallest_window.width, smallest_window.height);

@@ -22,7 +22,9 @@ namespace {
 class ContentReader {
 public:
     ContentReader(KeyHolder holder, const KeyDriver& driver, SceneContext& context)
-        : holder_{holder}, noun_{holder == KeyHolder::object ? "an object" : "a symbol"}, context_{context},
+        : holder_{holder},
+          noun_{holder == KeyHolder::object ? "an object" : "a symbol"},
+          context_{context},
           keys_{holder, driver, context}
     {
     }

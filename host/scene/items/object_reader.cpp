@@ -69,7 +69,9 @@ bool has_skeleton(const ItemKey& key) { return key.skeleton != nullptr; }
 class ObjectReader {
 public:
     ObjectReader(const kdl::Node& node, SceneContext& context)
-        : node_{node}, place_{span(node.name_span, node.arguments.front().place)}, context_{context},
+        : node_{node},
+          place_{span(node.name_span, node.arguments.front().place)},
+          context_{context},
           properties_{read_object_properties(node, place_, context)}
     {
     }

@@ -87,7 +87,11 @@ class GivenWeights {
 public:
     GivenWeights(const kdl::Node& node, const std::vector<Bone>& bones, const std::vector<Vec2>& spots,
                  SceneContext& context)
-        : node_{node}, bones_{bones}, spots_{spots}, context_{context}, bindings_(spots.size()),
+        : node_{node},
+          bones_{bones},
+          spots_{spots},
+          context_{context},
+          bindings_(spots.size()),
           places_(spots.size())
     {
     }

@@ -22,7 +22,8 @@ public:
     KeyDriver() = default;
     /// The input `number` of `inputs`.
     KeyDriver(const InputTable& inputs, std::size_t number)
-        : input_{inputs.entries[number].input}, is_range_known_{inputs.entries[number].is_range_known},
+        : input_{inputs.entries[number].input},
+          is_range_known_{inputs.entries[number].is_range_known},
           driver_{static_cast<std::uint8_t>(number + 1)}
     {
     }

@@ -41,8 +41,10 @@ struct Moment {
 class ObjectText {
 public:
     ObjectText(const art::Node& node, Writing& writing)
-        : node_{node}, shape_{std::get<Shape>(node.content)}, writing_{writing}, drawings_{drawing_keys(
-                                                                                     shape_, writing.length)}
+        : node_{node},
+          shape_{std::get<Shape>(node.content)},
+          writing_{writing},
+          drawings_{drawing_keys(shape_, writing.length)}
     {
     }
 

@@ -46,9 +46,11 @@ void add_values(kdl::Node& track, const NumberKeys& keys, const Grid& grid)
 class TransformText {
 public:
     TransformText(kdl::Node& item, const Transform& transform, scene::Point pivot, const Writing& writing)
-        : item_{item}, transform_{transform}, pivot_{pivot}, length_{writing.length}, sampling_{
-                                                                                          half_step,
-                                                                                          writing.budget}
+        : item_{item},
+          transform_{transform},
+          pivot_{pivot},
+          length_{writing.length},
+          sampling_{half_step, writing.budget}
     {
     }
 

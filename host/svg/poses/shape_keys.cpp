@@ -60,8 +60,12 @@ class ShapeMaker {
 public:
     /// All moments have the part.
     ShapeMaker(const Moments& moments, art::Budget& budget, art::Losses& losses)
-        : moments_{moments}, first_{*moments.front().part}, ways_{ways(moments)},
-          instants_{instants(moments)}, budget_{budget}, losses_{losses}
+        : moments_{moments},
+          first_{*moments.front().part},
+          ways_{ways(moments)},
+          instants_{instants(moments)},
+          budget_{budget},
+          losses_{losses}
     {
     }
 

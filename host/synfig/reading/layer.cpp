@@ -114,7 +114,10 @@ double encoded(double channel, double gamma)
 }
 
 Layer::Layer(pugi::xml_node element, Reading& reading, const Scope& scope)
-    : element_{element}, reading_{&reading}, scope_{scope}, type_{element.attribute("type").value()},
+    : element_{element},
+      reading_{&reading},
+      scope_{scope},
+      type_{element.attribute("type").value()},
       name_{element.attribute("desc").value()}
 {
     reading.budget.take_node();

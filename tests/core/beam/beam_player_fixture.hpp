@@ -24,9 +24,10 @@ struct BeamPlayerFixture {
     }
 
     BeamPlayerFixture(Bytes file, const BeamProfile& profile, std::uint32_t budget)
-        : bytes{std::move(file)}, scene{accepted(bytes)},
-          block(BeamPlayer::block_bytes(scene, profile)), player{*BeamPlayer::create(scene, profile, budget,
-                                                                                     block)}
+        : bytes{std::move(file)},
+          scene{accepted(bytes)},
+          block(BeamPlayer::block_bytes(scene, profile)),
+          player{*BeamPlayer::create(scene, profile, budget, block)}
     {
     }
 

@@ -42,9 +42,9 @@ struct GuardedBeam {
     BeamPlayer player;
 
     GuardedBeam(Bytes file, const BeamProfile& profile, std::uint32_t max_points)
-        : bytes{std::move(file)}, scene{accepted(bytes)}, budget{std::min<std::uint32_t>(
-                                                              max_points,
-                                                              profile.rate / profile.min_refresh)},
+        : bytes{std::move(file)},
+          scene{accepted(bytes)},
+          budget{std::min<std::uint32_t>(max_points, profile.rate / profile.min_refresh)},
           block(BeamPlayer::block_bytes(scene, profile) + 2 * border, untouched),
           player{*BeamPlayer::create(scene, profile, max_points,
                                      std::span{block}.subspan(border, block.size() - 2 * border))}

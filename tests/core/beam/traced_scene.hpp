@@ -24,7 +24,8 @@ public:
 
     explicit TracedScene(Bytes scene)
         : TracedBytes{std::move(scene)},
-          SceneState{accepted(file), {resolution, resolution}, Fit::contain, memory()}, storage_(1 << 18)
+          SceneState{accepted(file), {resolution, resolution}, Fit::contain, memory()},
+          storage_(1 << 18)
     {
     }
 

@@ -68,8 +68,10 @@ TEST_CASE("growth is the mean of all directions that keeps areas")
     CHECK(Affine{.xx = q16(4), .yy = q16(9)}.scale_factor() == q16(6));
     CHECK(Affine{.xx = 0, .xy = q16(-2), .yx = q16(2), .yy = 0}.scale_factor() == q16(2));
     CHECK(Affine{.xx = q16(1), .xy = q16(1), .yx = q16(1), .yy = q16(1)}.scale_factor() == 0);
-    const Affine max_factor{
-        .xx = Affine::max_factor, .xy = -Affine::max_factor, .yx = Affine::max_factor, .yy = Affine::max_factor};
+    const Affine max_factor{.xx = Affine::max_factor,
+                            .xy = -Affine::max_factor,
+                            .yx = Affine::max_factor,
+                            .yy = Affine::max_factor};
     CHECK(std::abs(max_factor.scale_factor() / (std::sqrt(2.0) * Affine::max_factor) - 1) < 1e-6);
 }
 

@@ -19,7 +19,8 @@ struct Sheet {
 
     Sheet(std::uint32_t strokes, std::uint32_t points)
         : limits{.strokes = strokes, .points = points},
-          memory(InputDrawing::bytes_for(limits) / 4 + 1), drawing{bytes(), limits}
+          memory(InputDrawing::bytes_for(limits) / 4 + 1),
+          drawing{bytes(), limits}
     {
         memory.back() = guard;
     }

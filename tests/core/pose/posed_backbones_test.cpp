@@ -129,9 +129,10 @@ private:
 class Pair {
 public:
     Pair(const scene::Drawing& from, const scene::Drawing& to, ProgressXY progress, std::uint32_t unit_bits)
-        : from_{packed(from)}, to_{packed(to)},
-          nodes_(backbone_node_count(drawing_at(from_, 0))), live{nodes_, unit_bits, drawing_at(from_, 0),
-                                                                  drawing_at(to_, 0), progress},
+        : from_{packed(from)},
+          to_{packed(to)},
+          nodes_(backbone_node_count(drawing_at(from_, 0))),
+          live{nodes_, unit_bits, drawing_at(from_, 0), drawing_at(to_, 0), progress},
           exact{from, to, progress, unit_bits}
     {
     }

@@ -59,7 +59,7 @@ TEST_CASE("what is sheared, squashed or far away is not rigid")
     CHECK_FALSE(placements.of({.xx = Affine::max_factor, .yy = Affine::max_factor}));
     CHECK_FALSE(placements.of({.xx = -Affine::max_factor, .yy = -Affine::max_factor}));
     CHECK(placements.of({.x0 = std::int64_t{8000} * Fixed::one}));
-    CHECK(placements.of({.xx = -Fixed::one}));            // a mirror
+    CHECK(placements.of({.xx = -Fixed::one}));              // a mirror
     const RigidPlacements of_one_pixel{Affine::max_factor}; // on 4096
     CHECK(of_one_pixel.of({.xx = Affine::max_factor, .yy = Affine::max_factor}));
     CHECK_FALSE(

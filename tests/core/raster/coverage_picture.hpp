@@ -21,9 +21,10 @@ struct WayToDraw {
 class CoveragePicture {
 public:
     CoveragePicture(int width, int height)
-        : size_{width, height}, memory_(1 << 18),
-          heads_(static_cast<std::size_t>(height)), store_{std::as_writable_bytes(std::span{memory_}), heads_,
-                                                           size_, WayToDraw{}.band_bits},
+        : size_{width, height},
+          memory_(1 << 18),
+          heads_(static_cast<std::size_t>(height)),
+          store_{std::as_writable_bytes(std::span{memory_}), heads_, size_, WayToDraw{}.band_bits},
           levels_(static_cast<std::size_t>(width * height))
     {
         store_.begin_layer({}, 0);

@@ -23,9 +23,8 @@ constexpr Colour background{10, 40, 90};
 class OwnedRenderer {
 public:
     OwnedRenderer(const RendererNeeds& needs, Size panel)
-        : block_(Renderer::block_bytes(needs, panel) / 4), renderer_{
-                                                               needs, panel, background,
-                                                               std::as_writable_bytes(std::span{block_})}
+        : block_(Renderer::block_bytes(needs, panel) / 4),
+          renderer_{needs, panel, background, std::as_writable_bytes(std::span{block_})}
     {
     }
 

@@ -69,10 +69,15 @@ std::optional<UsbIpAttachment> UsbIpAttachment::attach(const std::string& addres
 }
 
 UsbIpAttachment::UsbIpAttachment(UsbIpAttachment&& other) noexcept
-    : socket_{std::exchange(other.socket_, -1)}, is_gone_{other.is_gone_}, sequence_{other.sequence_},
-      listened_endpoint_{other.listened_endpoint_}, packet_bytes_{other.packet_bytes_}, asked_{other.asked_},
-      is_in_{std::move(other.is_in_)}, endings_{std::move(other.endings_)}, received_{
-                                                                                std::move(other.received_)}
+    : socket_{std::exchange(other.socket_, -1)},
+      is_gone_{other.is_gone_},
+      sequence_{other.sequence_},
+      listened_endpoint_{other.listened_endpoint_},
+      packet_bytes_{other.packet_bytes_},
+      asked_{other.asked_},
+      is_in_{std::move(other.is_in_)},
+      endings_{std::move(other.endings_)},
+      received_{std::move(other.received_)}
 {
 }
 

@@ -75,10 +75,11 @@ public:
 class LeapingBoard {
 public:
     LeapingBoard(Bytes scene, std::size_t block_size)
-        : block_{block_size}, scene_{std::move(scene)}, reference_{*SceneView::parse(scene_)},
-          reference_block_(Player::block_bytes(reference_, panel_size)), redrawn_{*Player::create(
-                                                                             reference_, panel_size,
-                                                                             Fit::contain, reference_block_)}
+        : block_{block_size},
+          scene_{std::move(scene)},
+          reference_{*SceneView::parse(scene_)},
+          reference_block_(Player::block_bytes(reference_, panel_size)),
+          redrawn_{*Player::create(reference_, panel_size, Fit::contain, reference_block_)}
     {
     }
     LeapingBoard(const LeapingBoard&) = delete;

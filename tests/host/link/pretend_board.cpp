@@ -86,8 +86,10 @@ Microseconds time_now()
 class Server {
 public:
     explicit Server(const Options& options)
-        : options_{options}, board_{options}, log_{options.log}, listener_{
-                                                                     ::socket(AF_UNIX, SOCK_SEQPACKET, 0)}
+        : options_{options},
+          board_{options},
+          log_{options.log},
+          listener_{::socket(AF_UNIX, SOCK_SEQPACKET, 0)}
     {
         board_.built_in_scene = padded_scene(2000, 1000);
         sockaddr_un address{};

@@ -55,7 +55,8 @@ struct Crossing {
 class Canvas {
 public:
     Canvas(int width, int height)
-        : width_{width * samples}, height_{height * samples},
+        : width_{width * samples},
+          height_{height * samples},
           colours_(static_cast<std::size_t>(width_ * height_), std::array{0.0, 0.0, 0.0})
     {
     }

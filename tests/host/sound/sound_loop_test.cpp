@@ -38,10 +38,12 @@ struct Wave {
 
     explicit Wave(const std::string& text, const std::string& canvas = "fps=30 loop=repeat",
                   std::uint32_t rate = 48'000, std::uint64_t wanted = 0)
-        : bytes{compiled("kfast 1\ncanvas 100 100 " + canvas + "\n" + text)}, scene{*SceneView::parse(bytes)},
-          timeline{timeline_of(scene)}, samples{wanted == 0 ? sound_length(timeline, rate) : wanted},
-          source{scene, profile(rate), static_cast<std::uint32_t>(samples)}, loop{sound_loop(source, timeline,
-                                                                                             samples)}
+        : bytes{compiled("kfast 1\ncanvas 100 100 " + canvas + "\n" + text)},
+          scene{*SceneView::parse(bytes)},
+          timeline{timeline_of(scene)},
+          samples{wanted == 0 ? sound_length(timeline, rate) : wanted},
+          source{scene, profile(rate), static_cast<std::uint32_t>(samples)},
+          loop{sound_loop(source, timeline, samples)}
     {
     }
 

@@ -135,8 +135,8 @@ class OwnedOutlines {
 public:
     explicit OwnedOutlines(Size panel, std::size_t bytes = 1 << 20, int band_bits = 2)
         : memory_(bytes / 4),
-          heads_(static_cast<std::size_t>(panel.height)), store_{std::as_writable_bytes(std::span{memory_}),
-                                                                 heads_, panel, band_bits}
+          heads_(static_cast<std::size_t>(panel.height)),
+          store_{std::as_writable_bytes(std::span{memory_}), heads_, panel, band_bits}
     {
         store_.begin_layer({}, 0);
     }
