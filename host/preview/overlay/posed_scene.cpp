@@ -82,8 +82,8 @@ Point tip_of(const BoneView& bone, const PosedBone& live)
 {
     const Fixed length = Fixed::sixteenths(bone.at_rest(BoneQuantity::length)) + live.extension();
     const BoneFrame& frame = live.frame();
-    return frame.origin + Point{Fixed::from_raw(multiply(length.raw(), frame.cosine, 30)),
-                                Fixed::from_raw(multiply(length.raw(), frame.sine, 30))};
+    return frame.origin + Point{Fixed::from_raw(multiply(length.raw(), frame.direction.cosine, 30)),
+                                Fixed::from_raw(multiply(length.raw(), frame.direction.sine, 30))};
 }
 
 /// For PosedBackbones are made when an object is traced.
