@@ -14,7 +14,8 @@ list(TRANSFORM KFAST_EVERY_ROW APPEND .cpp)
 
 # What is done once for a scene or for an item of a picture.
 set(KFAST_EACH_ITEM
-    parse_scene scene/input_view scene/item_view scene/scene_view
+    math/affine math/space
+    parse_scene scene/input_view scene/item_view scene/scene_view scene/track_view
     prepared/key_timeline prepared/preparer prepared/prepared_scene
     pose/item_state pose/scene_state pose/object_strokes
     scene_walk tracer)

@@ -1,6 +1,8 @@
 # Shared by the host library and the device images, which compile the core for their own processor.
 set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/math/affine.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/point_map.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/space.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/angle.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_skeletons.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/skeleton_view.cpp
