@@ -47,7 +47,7 @@ public:
     /// `block` has Player::block_bytes() for it or more.
     Animation(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> block)
         : player_{scene, panel, fit, block.first(Player::block_bytes(scene, panel))},
-          stretch_{play_range_of(scene)}
+          range_{play_range_of(scene)}
     {
     }
 
@@ -57,10 +57,10 @@ public:
     {
         const auto clip = scene().clip(name);
         if (clip)
-            stretch_ = play_range_of(*clip);
+            range_ = play_range_of(*clip);
         return clip.has_value();
     }
-    void choose_scene() { stretch_ = play_range_of(scene()); }
+    void choose_scene() { range_ = play_range_of(scene()); }
 
     /// Sets an input of the scene, from the next show() on: to `value` in 1/1000 of what the scene counts it
     /// in, clamped to the input's range. At first inputs have their default values. A number that
@@ -105,7 +105,7 @@ public:
 
     /// Computes the picture at `time`, counted from the beginning of what was chosen; any time is allowed,
     /// its loop decides what it represents.
-    void show(Time time) { show_moment(stretch_.begin + wrap(time, stretch_.length(), stretch_.loop)); }
+    void show(Time time) { show_moment(range_.begin + wrap(time, range_.length(), range_.loop)); }
 
     /// Computes the picture at a time of the whole timeline, whatever was chosen: 0 … the length of the
     /// scene.
@@ -116,9 +116,9 @@ public:
     {
         const std::uint64_t ticks =
             std::uint64_t{milliseconds} * scene().frame_rate() * Time::ticks_per_frame / 1'000'000;
-        const auto turn = static_cast<std::uint32_t>(2 * stretch_.length().ticks); // there and back
-        show({static_cast<std::int32_t>(stretch_.loop == Loop::once ? std::min<std::uint64_t>(ticks, turn)
-                                                                    : ticks % turn)});
+        const auto turn = static_cast<std::uint32_t>(2 * range_.length().ticks); // there and back
+        show({static_cast<std::int32_t>(range_.loop == Loop::once ? std::min<std::uint64_t>(ticks, turn)
+                                                                  : ticks % turn)});
     }
 
     /// Hands out the areas in which the picture differs from what was drawn before, in any format; at
@@ -188,7 +188,7 @@ private:
     }
 
     Player player_;
-    PlayRange stretch_;
+    PlayRange range_;
 };
 
 }

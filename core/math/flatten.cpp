@@ -52,7 +52,7 @@ Point point_at(const Segment& segment, Fraction fraction)
     return blossom(segment, fraction, fraction, fraction);
 }
 
-Segment stretch(const Segment& whole, Fraction begin, Fraction end)
+Segment subsegment(const Segment& whole, Fraction begin, Fraction end)
 {
     Segment part{.kind = whole.kind, .from = point_at(whole, begin), .to = point_at(whole, end)};
     if (whole.kind == Segment::Kind::cubic) {

@@ -36,7 +36,7 @@ constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
-[[gnu::cold]] Segment stretch(const Segment& whole, Fraction begin, Fraction end);
+[[gnu::cold]] Segment subsegment(const Segment& whole, Fraction begin, Fraction end);
 
 /// The point on `segment` at a share of its parameter, within 2/65536 px; on a line rounded once.
 Point point_at(const Segment& segment, Fraction fraction);
@@ -122,7 +122,7 @@ void flatten(const Segment& segment, int pieces, LineTo line_to)
     if (segment.kind == Segment::Kind::cubic && pieces > max_steps) {
         const Fraction part{Fraction::one / static_cast<std::uint32_t>(pieces / max_steps)};
         for (Fraction begin; begin.raw != Fraction::one; begin.raw += part.raw) {
-            const Segment cubic = stretch(segment, begin, {begin.raw + part.raw});
+            const Segment cubic = subsegment(segment, begin, {begin.raw + part.raw});
             if (begin.raw != 0)
                 line_to(cubic.from);
             flatten_freely(cubic, max_steps, line_to);

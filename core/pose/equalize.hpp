@@ -109,7 +109,7 @@ private:
     Segment piece_of_segment(std::uint32_t number, std::uint32_t count) const
     {
         Segment piece = rounded_to_grid(
-            stretch(segment_, Fraction::ratio(number, count), Fraction::ratio(number + 1, count)));
+            subsegment(segment_, Fraction::ratio(number, count), Fraction::ratio(number + 1, count)));
         if (number == 0)
             piece.from = segment_.from;
         if (number + 1 == count)

@@ -3,6 +3,7 @@
 #include "core/bytes/expects.hpp"
 #include "core/bytes/op_counter.hpp"
 #include "core/raster/band_painter.hpp"
+#include "core/raster/packing.hpp"
 #include "core/raster/record.hpp"
 
 #include <algorithm>

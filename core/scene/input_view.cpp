@@ -13,24 +13,24 @@ GlyphSet GlyphSet::take(ByteReader& bytes)
 {
     GlyphSet set;
     set.count_ = bytes.u8();
-    const std::size_t stretches = bytes.u8();
-    set.stretches_ = bytes.take(kfb::glyph_range::bytes * stretches).rest();
+    const std::size_t ranges = bytes.u8();
+    set.ranges_ = bytes.take(kfb::glyph_range::bytes * ranges).rest();
     return set;
 }
 
 std::optional<std::uint8_t> GlyphSet::glyph(char32_t character) const
 {
     std::uint32_t low = 0; // what lies before it begins at `character` or before
-    for (std::uint32_t high = stretches(); low < high;) {
+    for (std::uint32_t high = ranges(); low < high;) {
         const std::uint32_t middle = (low + high) / 2;
-        if (stretch(middle).character <= character)
+        if (range(middle).character <= character)
             low = middle + 1;
         else
             high = middle;
     }
     if (low == 0)
         return std::nullopt;
-    const Stretch found = stretch(low - 1);
+    const GlyphRange found = range(low - 1);
     const std::uint32_t further = character - found.character;
     if (further >= end_of(low - 1) - found.glyph)
         return std::nullopt;
@@ -42,36 +42,36 @@ char32_t GlyphSet::character(std::uint32_t glyph) const
     std::uint32_t number = 0;
     while (end_of(number) <= glyph)
         ++number;
-    const Stretch found = stretch(number);
+    const GlyphRange found = range(number);
     return found.character + (glyph - found.glyph);
 }
 
 bool GlyphSet::is_valid() const
 {
-    if (stretches() == 0 || stretch(0).glyph != 0)
+    if (ranges() == 0 || range(0).glyph != 0)
         return false;
-    for (std::uint32_t number = 0; number < stretches(); ++number) {
-        const Stretch here = stretch(number);
+    for (std::uint32_t number = 0; number < ranges(); ++number) {
+        const GlyphRange here = range(number);
         const std::uint32_t end = end_of(number);
         if (end <= here.glyph)
             return false;
         const char32_t beyond = here.character + (end - here.glyph);
-        const bool is_last = number + 1 == stretches();
-        if (beyond > (is_last ? last_code_point + 1 : stretch(number + 1).character))
+        const bool is_last = number + 1 == ranges();
+        if (beyond > (is_last ? last_code_point + 1 : range(number + 1).character))
             return false;
     }
     return true;
 }
 
-GlyphSet::Stretch GlyphSet::stretch(std::uint32_t number) const
+GlyphSet::GlyphRange GlyphSet::range(std::uint32_t number) const
 {
-    const std::uint32_t both = ByteReader{stretches_.subspan(kfb::glyph_range::bytes * number)}.u32();
+    const std::uint32_t both = ByteReader{ranges_.subspan(kfb::glyph_range::bytes * number)}.u32();
     return {kfb::glyph_range::glyph.get(both), static_cast<char32_t>(kfb::glyph_range::character.get(both))};
 }
 
 std::uint32_t GlyphSet::end_of(std::uint32_t number) const
 {
-    return number + 1 < stretches() ? stretch(number + 1).glyph : count_;
+    return number + 1 < ranges() ? range(number + 1).glyph : count_;
 }
 
 namespace {

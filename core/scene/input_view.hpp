@@ -32,21 +32,21 @@ public:
 
 private:
     /// Characters that follow each other, as far as the next stretch.
-    struct Stretch {
+    struct GlyphRange {
         std::uint32_t glyph; ///< of the first
         char32_t character;  ///< the first
     };
 
-    std::uint32_t stretches() const
+    std::uint32_t ranges() const
     {
-        return static_cast<std::uint32_t>(stretches_.size() / kfb::glyph_range::bytes);
+        return static_cast<std::uint32_t>(ranges_.size() / kfb::glyph_range::bytes);
     }
-    Stretch stretch(std::uint32_t number) const;
+    GlyphRange range(std::uint32_t number) const;
     /// The number of the glyph behind those of a stretch.
     std::uint32_t end_of(std::uint32_t number) const;
 
     std::uint32_t count_ = 0;
-    std::span<const std::byte> stretches_;
+    std::span<const std::byte> ranges_;
 };
 
 enum class InputType : std::uint8_t {

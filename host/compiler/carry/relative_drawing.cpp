@@ -148,7 +148,7 @@ SegmentPairs divided_at_cells(const SegmentPairs& stroke, const DeformingCells& 
         ends.push_back({{Fraction::one}, {Fraction::one}});
         Pair<Fraction> begin;
         for (const Pair<Fraction>& end : ends) {
-            divided.push_back({stretch(both.a, begin.a, end.a), stretch(both.b, begin.b, end.b)});
+            divided.push_back({subsegment(both.a, begin.a, end.a), subsegment(both.b, begin.b, end.b)});
             begin = end;
         }
     }

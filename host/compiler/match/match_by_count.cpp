@@ -29,8 +29,8 @@ std::vector<Segment> spread(const std::vector<Segment>& segments, std::size_t co
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
         const std::uint32_t of_segment = pieces.at(i);
         for (std::uint32_t piece = 0; piece < of_segment; ++piece)
-            result.push_back(stretch(segments[i], Fraction::ratio(piece, of_segment),
-                                     Fraction::ratio(piece + 1, of_segment)));
+            result.push_back(subsegment(segments[i], Fraction::ratio(piece, of_segment),
+                                        Fraction::ratio(piece + 1, of_segment)));
     }
     return result;
 }

@@ -80,7 +80,7 @@ Vec2 spot_at(const MeasuredSegment& segment, double share)
     return at_parameter(segment, segment.cubic ? parameter_at(segment, share) : share);
 }
 
-MeasuredSegment stretch(const MeasuredSegment& whole, double begin, double end)
+MeasuredSegment subsegment(const MeasuredSegment& whole, double begin, double end)
 {
     if (begin == 0 && end == 1)
         return whole;
@@ -209,7 +209,7 @@ MeasuredStroke part_of(const MeasuredStroke& stroke, StrokePlace begin, StrokePl
         const double from = i == begin.segment ? begin.share : 0;
         const double to = i == end.segment ? end.share : 1;
         if (from < to)
-            part.push_back(stretch(stroke[i], from, to));
+            part.push_back(subsegment(stroke[i], from, to));
     }
     return part;
 }
@@ -238,7 +238,7 @@ MeasuredStroke divided(const MeasuredStroke& stroke, std::span<const StrokePlace
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         const auto [segment, begin] = places[i];
         const double end = places[i + 1].segment == segment ? places[i + 1].share : 1;
-        result.push_back(stretch(stroke[segment], begin, end));
+        result.push_back(subsegment(stroke[segment], begin, end));
     }
     return result;
 }
@@ -254,8 +254,8 @@ void append(MeasuredStroke& stroke, const MeasuredSegment& segment)
         stroke.push_back(segment);
         return;
     }
-    append(stroke, stretch(segment, 0, 0.5));
-    append(stroke, stretch(segment, 0.5, 1));
+    append(stroke, subsegment(segment, 0, 0.5));
+    append(stroke, subsegment(segment, 0.5, 1));
 }
 
 }

@@ -38,7 +38,7 @@ Vec2 spot_at(const MeasuredSegment& segment, double share);
 
 /// The part between two fractions of the length; it shares its end with the neighbour that begins there, bit
 /// for bit.
-MeasuredSegment stretch(const MeasuredSegment& whole, double begin, double end);
+MeasuredSegment subsegment(const MeasuredSegment& whole, double begin, double end);
 
 MeasuredSegment reversed(const MeasuredSegment& segment);
 

@@ -11,23 +11,23 @@ namespace kfast {
 namespace {
 
 /// Characters that follow each other, from glyph and character on.
-using Stretch = std::pair<std::size_t, char32_t>;
+using GlyphRange = std::pair<std::size_t, char32_t>;
 
-std::vector<Stretch> stretches_of(const std::u32string& glyphs)
+std::vector<GlyphRange> glyph_ranges_of(const std::u32string& glyphs)
 {
-    std::vector<Stretch> stretches;
+    std::vector<GlyphRange> ranges;
     for (std::size_t i = 0; i < glyphs.size(); ++i)
         if (i == 0 || glyphs[i] != glyphs[i - 1] + 1)
-            stretches.emplace_back(i, glyphs[i]);
-    return stretches;
+            ranges.emplace_back(i, glyphs[i]);
+    return ranges;
 }
 
 void write_glyphs(const std::u32string& glyphs, ByteWriter& bytes)
 {
-    const std::vector<Stretch> stretches = stretches_of(glyphs);
+    const std::vector<GlyphRange> ranges = glyph_ranges_of(glyphs);
     bytes.u8(static_cast<std::uint32_t>(glyphs.size()));
-    bytes.u8(static_cast<std::uint32_t>(stretches.size()));
-    for (const auto& [glyph, character] : stretches)
+    bytes.u8(static_cast<std::uint32_t>(ranges.size()));
+    for (const auto& [glyph, character] : ranges)
         bytes.u32(kfb::glyph_range::glyph.put(glyph) | kfb::glyph_range::character.put(character));
 }
 

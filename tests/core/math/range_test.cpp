@@ -129,7 +129,7 @@ TEST_CASE("points and stretches of curves are within two units when coordinates 
         const Fraction one = box.share();
         const Fraction other = box.share();
         const auto [begin, end] = std::minmax(one, other);
-        const Segment part = stretch(cubic, begin, end);
+        const Segment part = subsegment(cubic, begin, end);
         REQUIRE(off(part.from.x, on_curve(cubic, begin.raw / 65536.0)) <= 2);
         REQUIRE(off(part.to.x, on_curve(cubic, end.raw / 65536.0)) <= 2);
         REQUIRE(off(point_at(cubic, one).x, on_curve(cubic, one.raw / 65536.0)) <= 2);

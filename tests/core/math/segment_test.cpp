@@ -53,7 +53,7 @@ TEST_CASE("a stretch of a curve is that part of the curve")
         const Segment cubic = random_cubic(random);
         const auto begin = static_cast<std::uint32_t>(random() % Fraction::one);
         const auto end = begin + static_cast<std::uint32_t>(random() % (Fraction::one - begin)) + 1;
-        const Segment part = stretch(cubic, {begin}, {end});
+        const Segment part = subsegment(cubic, {begin}, {end});
         const double inner = static_cast<double>(random() % 65537) / 65536;
         const double outer = (begin + inner * (end - begin)) / 65536;
         worst = std::max(worst, std::abs(exact(part, inner, &Point::x) - exact(cubic, outer, &Point::x)));
@@ -67,8 +67,8 @@ TEST_CASE("stretches that meet share the very point, and the whole has its own e
     for (int round = 0; round < 2'000; ++round) {
         const Segment cubic = random_cubic(random);
         const Fraction middle{static_cast<std::uint32_t>(random() % 65536)};
-        CHECK(stretch(cubic, {0}, middle).to == stretch(cubic, middle, {Fraction::one}).from);
-        CHECK(stretch(cubic, {0}, {Fraction::one}) == cubic);
+        CHECK(subsegment(cubic, {0}, middle).to == subsegment(cubic, middle, {Fraction::one}).from);
+        CHECK(subsegment(cubic, {0}, {Fraction::one}) == cubic);
     }
 }
 
