@@ -67,7 +67,9 @@ TEST_CASE("what is called a file or a folder in the help is declared as one, and
 {
     const std::vector<Declared> all = all_declared();
     CHECK(all.size() > 150);
-    for (const auto& [name, words] : all) {
+    for (const auto& declared : all) {
+        const std::string& name = declared.name;
+        const OptionWords& words = declared.words;
         const bool is_path = std::ranges::find(words_for_paths, shown_type(words)) != words_for_paths.end();
         CHECK_MESSAGE(words.facts.takes_path() == is_path, name);
         CHECK_MESSAGE((words.facts.kind == OptionKind::folder) == (shown_type(words) == "FOLDER"), name);
@@ -76,7 +78,9 @@ TEST_CASE("what is called a file or a folder in the help is declared as one, and
 
 TEST_CASE("endings stand in the help, and only numbers have a range")
 {
-    for (const auto& [name, words] : all_declared()) {
+    for (const auto& declared : all_declared()) {
+        const std::string& name = declared.name;
+        const OptionWords& words = declared.words;
         for (const std::string& ending : words.facts.endings)
             CHECK_MESSAGE(words.help.find(ending) != std::string::npos, name);
         CHECK_MESSAGE((words.facts.kind == OptionKind::number) == !words.facts.range.empty(), name);
