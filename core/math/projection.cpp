@@ -13,7 +13,7 @@ namespace kfast {
 
 namespace {
 
-/// What three numbers in the place of x, y and z come to, without the shift; rounded to nearest, halves up.
+/// A vector of x, y and z, mapped without the shift; rounded to nearest, halves up.
 struct Triple {
     std::int64_t x;
     std::int64_t y;
@@ -71,7 +71,7 @@ struct TurnedAxis : UnitVector {
     explicit TurnedAxis(FineAngle angle) : UnitVector{kfast::cosine(angle), kfast::sine(angle)} {}
 };
 
-/// Of two components of unit vectors.
+/// The product of two components of unit vectors.
 std::int32_t product(std::int32_t a, std::int32_t b) { return multiply(a, b, 30); }
 
 }
@@ -91,7 +91,7 @@ Space tilted(const Turning& turning)
     const TurnedAxis y{turning.y};
     const TurnedAxis z{turning.z};
     const auto [scale_x, scale_y] = std::pair{turning.scale_x, turning.scale_y};
-    const std::int32_t deep_x = -product(y.sine, z.cosine); // where turns about z and y take x and y in z
+    const std::int32_t deep_x = -product(y.sine, z.cosine); // where rotations about z and y take x and y in z
     const std::int32_t deep_y = product(y.sine, z.sine);
     return {.plane = {.xx = scaled_component(product(y.cosine, z.cosine), scale_x),
                       .xy = scaled_component(-product(y.cosine, z.sine), scale_y),
@@ -108,13 +108,13 @@ namespace {
 
 constexpr int nearness_bits = 24;
 
-/// Bits that a distance of at least 1 has too many for a divisor.
+/// By how many bits a distance of at least 1 is too long for a divisor.
 int excess_bits(std::int64_t distance)
 {
     return std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance))) - 32);
 }
 
-/// Farther from the middle, points are held: projected, they are out of sight, or too far away to matter.
+/// Farther from the middle, points are clamped: projected, they are out of sight, or too far away to matter.
 std::int64_t within_reach(std::int64_t distance)
 {
     constexpr std::int64_t farthest = std::int64_t{1} << 34;

@@ -20,7 +20,7 @@ GlyphSet GlyphSet::take(ByteReader& bytes)
 
 std::optional<std::uint8_t> GlyphSet::glyph(char32_t character) const
 {
-    std::uint32_t low = 0; // what lies before it begins at `character` or before
+    std::uint32_t low = 0; // ranges before it begin at `character` or before
     for (std::uint32_t high = stretches(); low < high;) {
         const std::uint32_t middle = (low + high) / 2;
         if (stretch(middle).character <= character)
