@@ -31,8 +31,8 @@ constexpr std::uint32_t rate_of(std::uint32_t code)
 /// Reads a pair of velocity laws (docs/format.md, "Laws").
 LawPair read_law_pair(ByteReader& bytes);
 
-/// The time of a key, by the driver that its thing goes by, and the laws from it to the next.
-///
+/// The time of a key, by the driver that it goes by, and the number of the pair of laws from it to the next
+/// key.
 struct KeyTime {
     Time time;
     std::uint32_t laws = 0;  ///< number of the pair of laws

@@ -33,8 +33,8 @@ inline constexpr Grid controls{VelocityLaw::control_one, 1, -2, 3};
 inline constexpr Grid frame_rates{1000, 1, 1, 1000};
 inline constexpr Grid turns{BinaryAngle::turn, 360, -5400, 5400};
 
-/// The nearest that is stored, halves away from zero; what is out of range is clamped. `value` is finite.
-///
+/// The nearest that is stored, halves away from zero; what is out of range is clamped. `value` is
+/// finite.
 std::int32_t on_grid(double value, const Grid& grid);
 /// The value that is stored as `stored`.
 double off_grid(std::int32_t stored, const Grid& grid);
