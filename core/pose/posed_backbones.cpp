@@ -17,7 +17,7 @@ constexpr std::int32_t max_across = 8 * one_px; ///< Q16, across
 constexpr std::int32_t small_reach = 1023 * one_px;
 constexpr std::int32_t small_width = 2 * one_px;
 
-/// `share` is in Q16 and may be beyond 0 … 1.
+/// The fraction `share` is in Q16 and may be beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
 {
     return a + rounded_shift((b - a) * share, 16);
