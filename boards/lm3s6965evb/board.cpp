@@ -19,7 +19,7 @@ constexpr std::size_t band_bytes = band_rows * row_bytes(Display::format, glass.
 alignas(4) std::array<std::byte, 32 * 1024> player_block;
 alignas(4) std::array<std::array<std::byte, band_bytes>, 2> band_buffers;
 
-/// Told by the magic alone: run() reads the rest.
+/// Checks only the magic: run() reads the rest.
 bool holds_scene(std::span<const std::byte> bytes)
 {
     const auto beginning = SceneView::parse(bytes.first(4), every_feature_but_outlines);

@@ -9,7 +9,7 @@ class Clock {
 public:
     void begin();
     Microseconds now() const;
-    /// Sleeps between the ticks of a millisecond and watches the last one pass.
+    /// Sleeps between the ticks of a millisecond and polls during the last one.
     void sleep_until(Microseconds moment) const;
 };
 

@@ -15,7 +15,7 @@ inline constexpr Register gpio_a_afsel{0x4000'4420};
 inline constexpr Register gpio_a_den{0x4000'451C};
 
 // Port C: PC7 is D/C of the display
-inline constexpr Register gpio_c_data_pin7{0x4000'6000 + (0x80 << 2)}; // a write changes this pin alone
+inline constexpr Register gpio_c_data_pin7{0x4000'6000 + (0x80 << 2)}; // a write changes only this pin
 inline constexpr Register gpio_c_dir{0x4000'6400};
 inline constexpr Register gpio_c_den{0x4000'651C};
 

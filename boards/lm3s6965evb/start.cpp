@@ -25,7 +25,7 @@ void systick_handler();
     stop();
 }
 
-/// Any exception that nobody handles: names its number (3 is a hard fault) and stops.
+/// Any exception without a handler: prints its number (3 is a hard fault) and stops.
 [[noreturn]] void fault_handler()
 {
     using namespace kfast;

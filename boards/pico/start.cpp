@@ -20,7 +20,7 @@ void fault_handler();
 void timer_0_handler();
 void usb_handler();
 void uart_handler();
-// Of what not every image has.
+// Not every image has it.
 [[gnu::weak]] void make_safe();
 [[gnu::weak, gnu::alias("fault_handler")]] void io_bank0_handler() noexcept;
 [[gnu::weak, gnu::alias("fault_handler")]] void i2c0_handler() noexcept;
@@ -38,8 +38,8 @@ void uart_handler();
         asm volatile("wfe");
 }
 
-/// Names the exception (3 is a hard fault, 16 and more are interrupts of the chip) and where it came, and
-/// blinks in haste until the watchdog starts everything anew. `frame` is what the processor saved.
+/// Prints the exception (3 is a hard fault, 16 and more are interrupts of the chip) and its address, and
+/// blinks quickly until the watchdog restarts everything. `frame` is what the processor saved.
 [[noreturn, gnu::used]] void report_fault(const std::uint32_t* frame)
 {
     using namespace kfast;
@@ -62,7 +62,7 @@ void uart_handler();
     }
 }
 
-/// Any exception that nobody handles.
+/// Any exception without a handler.
 [[gnu::naked]] void fault_handler()
 {
     asm volatile("mrs r0, msp\n"

@@ -25,7 +25,7 @@ public:
     /// D/C low, send all bytes, wait until the last bit is out.
     void command(std::span<const std::byte>) {}
 
-    /// Likewise with D/C high.
+    /// The same with D/C high.
     void parameters(std::span<const std::byte>) {}
 
     /// D/C high, start a DMA transfer (or an interrupt that feeds the FIFO) and return.
@@ -40,7 +40,7 @@ public:
     /// Set the system clock; begin the timer and the bus; reset the display if it has a reset pin.
     Board() { bus_.begin(); }
 
-    /// The display: choose its driver from firmware/panel/, and say below how its glass is made and turned.
+    /// The display: choose its driver from firmware/panel/, and say below how its glass is made and rotated.
     Ssd0323<Bus>& panel() { return panel_; }
 
     /// Read a timer that counts microseconds in 32 bits and wraps.
@@ -49,7 +49,7 @@ public:
     /// Wait, best asleep, until reached(now(), moment).
     void sleep_until(Microseconds) {}
 
-    /// Where the scene lies in flash: a region of its own, as link.ld has it, or an array that is linked in.
+    /// Where the scene is in flash: a region of its own, as link.ld has it, or an array that is linked in.
     std::span<const std::byte> scene_bytes() { return {scene_region_begin, scene_region_end}; }
 
     /// What it has of the player: all, or only what its scenes need (`kfast info`), as in

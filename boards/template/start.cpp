@@ -4,7 +4,7 @@ int main();
 
 extern "C" {
 
-/// Also what comes of an exception that nobody handles.
+/// Also called for an exception without a handler.
 [[noreturn]] void stop()
 {
     while (true)

@@ -12,7 +12,7 @@
 namespace kfast::vexpress_a9 {
 
 /// ARM Versatile Express with a Cortex-A9 as QEMU emulates it: a picture in RAM, 16 bits of colour. UART0 is
-/// its console. The scene lies in RAM from 0x61000000 on.
+/// its console. The scene is in RAM from 0x61000000 on.
 class Board : public ConsoleBoard<const Pl011, Clock, Framebuffer, glass> {
 public:
     Board();

@@ -20,7 +20,7 @@ alignas(8) PanelMirror<Framebuffer::format, glass.width, glass.height> picture;
 
 }
 
-// How long the edges of a picture last concerns no emulated glass.
+// The duration of a picture's edges does not matter to an emulated glass.
 void Framebuffer::switch_on()
 {
     lcd_timing0.write((glass.width / 16 - 1) << 2);

@@ -25,7 +25,7 @@ extern std::uint32_t bss_end[];
     stop();
 }
 
-/// Names the mode that the exception has led to (23: memory that cannot be read, written or run, 27: no
+/// Prints the mode that the exception has led to (23: memory that cannot be read, written or run, 27: no
 /// instruction) and stops.
 [[noreturn, gnu::used]] void report_fault()
 {
@@ -38,7 +38,7 @@ extern std::uint32_t bss_end[];
     stop();
 }
 
-/// Where the CPU goes after a reset and, as reset_handler() tells it, with every exception.
+/// Where the CPU goes after a reset and, as reset_handler() sets it, with every exception.
 [[gnu::naked, gnu::used, gnu::section(".vectors")]] void vectors()
 {
     asm volatile("b reset_handler\n"
@@ -56,7 +56,7 @@ extern std::uint32_t bss_end[];
                  ".ltorg");
 }
 
-/// Each mode has a stack of its own, which nobody has set.
+/// Each mode has a stack of its own, which has not been set.
 [[gnu::naked, gnu::used]] void fault_handler()
 {
     asm volatile("ldr sp, =stack_top\n"

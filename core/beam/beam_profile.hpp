@@ -75,7 +75,7 @@ enum class BeamBrightness : std::uint8_t {
               ///< white
 };
 
-/// How the beam of a vector display is to be moved. Lengths are in units of the field (BeamPoint), times
+/// How the beam of a vector display is to be moved. Lengths are in units of the field (FieldPoint), times
 /// in points.
 struct BeamProfile {
     std::uint32_t rate = 100'000;   ///< points in a second, 1000 … 1,000,000

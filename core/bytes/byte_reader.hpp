@@ -148,7 +148,7 @@ public:
         const std::uint32_t high = bits(count - 16);
         return high << 16 | bits(16);
     }
-    /// Likewise, the highest bit is the sign.
+    /// The next `count` bits, 1 … `max`, as a signed number; the highest bit is the sign.
     std::int32_t signed_bits(std::uint32_t count)
     {
         expects(count >= 1 && count <= max);

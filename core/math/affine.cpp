@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t max_half_width = Fixed::pixels(4095).raw();
 
-/// Whether all of it is, and its shift.
+/// Whether all factors are small, and the shift.
 bool is_small(const Affine& map)
 {
     return is_small_factor(map.xx) && is_small_factor(map.xy) && is_small_factor(map.yx) &&
@@ -23,7 +23,7 @@ bool is_small(const Affine& map)
            is_small_distance(static_cast<std::int32_t>(map.y0));
 }
 
-/// Of two small ones.
+/// The product of two small maps.
 Affine short_product(const Affine& outer, const Affine& inner)
 {
     const auto x0 = static_cast<std::int32_t>(inner.x0);

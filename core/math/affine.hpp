@@ -18,10 +18,10 @@ struct Affine {
 
     static constexpr std::int32_t max_factor = 1 << 28;
 
-    /// Rounded to 1/65536 px. Points further than 16383 px away from the origin are moved there, so that the
-    /// differences of mapped coordinates fit in Fixed.
+    /// Maps a point, rounded to 1/65536 px. x and y are clamped to ±16383 px, so that the differences of
+    /// mapped coordinates fit in Fixed.
     Point operator()(Point point) const;
-    /// By what lengths grow, in Q16: the square root of what areas grow by, rounded down.
+    /// The scale of lengths, in Q16: the square root of the scale of areas, rounded down.
     std::int32_t scale_factor() const;
 
     friend bool operator==(const Affine&, const Affine&) = default;
@@ -33,17 +33,17 @@ constexpr std::int32_t clamped_factor(std::int64_t value)
         std::clamp<std::int64_t>(value, -Affine::max_factor, Affine::max_factor));
 }
 
-/// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px. What
-/// would grow beyond Affine::max_factor is clamped to it.
+/// First `inner`, then `outer`; rounded to the units of both. The shift of `inner` is within 65536 px.
+/// Factors beyond Affine::max_factor are clamped to it.
 Affine operator*(const Affine& outer, const Affine& inner);
 
-/// Half the width of a stroke `width` wide, 0 or more, where lengths grow by `scale_factor` (Q16); rounded to
-/// 1/65536 px, at most 4095 px.
+/// Half the width of a stroke `width` wide, 0 or more, scaled by `scale_factor` (Q16); rounded to 1/65536 px,
+/// at most 4095 px.
 Fixed half_width(Fixed width, std::int32_t scale_factor);
 
-/// How the canvas is laid on a panel of another size; always centred.
+/// How the canvas is fitted to a panel of another size; always centred.
 enum class Fit : std::uint8_t {
-    contain, ///< as large as fits whole, background around it
+    contain, ///< as large as fits as a whole, background around it
     cover,   ///< as small as fills the panel, the rest is cut off
     none,    ///< one canvas pixel is one panel pixel
 };
@@ -52,8 +52,8 @@ enum class Fit : std::uint8_t {
 /// 1 … 4096 pixels long.
 Affine canvas_map(Size canvas, Size panel, Fit fit);
 
-/// An Affine made ready for many points: the same bits in fewer steps. Most only shift, and few lead so far
-/// that 64 bits are needed.
+/// An Affine prepared for many points: the same bits in fewer steps. Most only shift, and few results are so
+/// large that 64 bits are needed.
 class PointMap {
 public:
     /// `map` must outlive this.
@@ -61,7 +61,7 @@ public:
 
     Point operator()(Point point) const;
 
-    /// Whether points within 1024 px, or more, are moved by shift() and no more.
+    /// Whether points, at least those within 1024 px, are only moved by shift().
     bool is_shift() const { return kind_ == Kind::shift; }
     Point shift() const;
 

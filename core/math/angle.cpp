@@ -11,12 +11,12 @@ namespace kfast {
 
 namespace {
 
-/// a * b in Q30, rounded to nearest but for 1/1000 of a unit. Small processors multiply 64 bits by a
-/// function.
+/// a * b in Q30, rounded to nearest but for 1/1000 of a unit. Small processors call a function to multiply
+/// 64 bits.
 constexpr std::int32_t product_q30(std::int32_t a, std::int32_t b)
 {
     const auto low = [](std::int32_t value) { return static_cast<std::uint32_t>(value) & 0xFFFF; };
-    const auto half = [low](std::int32_t high, std::int32_t other) { // of a product of 16 bits and 16
+    const auto half = [low](std::int32_t high, std::int32_t other) { // of a product of 16 x 16 bits
         return (high >> 16) * static_cast<std::int32_t>(low(other)) >> 1;
     };
     const auto lowest = static_cast<std::int32_t>(low(a) * low(b) >> 17);

@@ -12,9 +12,9 @@ namespace kfast {
 
 /// (high * 2^32 + low) / divisor, rounded down, for high < divisor: then it has 32 bits.
 ///
-/// By two digits of 16 bits, each guessed from the highest 16 bits of the divisor and at most two too large
-/// (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D). What compilers call for 64-bit
-/// divisions takes ten times the code on processors of 32 bits.
+/// Two digits of 16 bits, each estimated from the highest 16 bits of the divisor and at most two too large
+/// (Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D). The functions that compilers call
+/// for 64-bit divisions take ten times the code on processors of 32 bits.
 constexpr std::uint32_t long_quotient(std::uint32_t high, std::uint32_t low, std::uint32_t divisor)
 {
     expects(high < divisor);
@@ -68,7 +68,7 @@ constexpr std::uint32_t remainder(std::uint64_t dividend, std::uint32_t divisor)
     return static_cast<std::uint32_t>(dividend - quotient(dividend, divisor) * divisor);
 }
 
-/// A share of a whole, 0 … 1, in Q16: 65536 is the whole.
+/// A fraction of a whole, 0 … 1, in Q16: 65536 is the whole.
 struct Fraction {
     std::uint32_t raw = 0;
 
@@ -88,8 +88,8 @@ struct Fraction {
     friend constexpr auto operator<=>(Fraction, Fraction) = default;
 };
 
-/// A share of the way between two keys in Q16: 65536 is the whole. Velocity laws may swing beyond both ends,
-/// within -1.5 … 2.5.
+/// The progress from one key to the next in Q16: 65536 is at the next. Velocity laws may overshoot at both
+/// ends, within -1.5 … 2.5.
 struct Progress {
     std::int32_t raw = 0;
 
@@ -132,8 +132,8 @@ private:
     std::int32_t raw_ = 0;
 };
 
-/// value / 2^bits, rounded to nearest, halves up. `bits` is at least 1, and 2^(bits - 1) more than `value`
-/// fits.
+/// value / 2^bits, rounded to nearest, halves up. `bits` is at least 1, and value + 2^(bits - 1) fits in the
+/// type.
 template <std::integral T>
 constexpr T rounded_shift(T value, int bits)
 {
@@ -149,7 +149,7 @@ constexpr std::int32_t multiply(std::int32_t value, std::int32_t factor, int bit
     return static_cast<std::int32_t>((std::int64_t{value} * factor + half) >> bits);
 }
 
-/// As multiply() with 16 bits. Small processors multiply 32 bits in a cycle, and 64 bits by a function.
+/// Like multiply() with 16 bits. Small processors multiply 32 bits in a cycle, but call a function for 64.
 constexpr std::int32_t multiply_q16(std::int32_t value, std::int32_t factor)
 {
     constexpr std::uint32_t low_half = 0xFFFF;
@@ -160,14 +160,14 @@ constexpr std::int32_t multiply_q16(std::int32_t value, std::int32_t factor)
                                      static_cast<std::uint32_t>(value >> 16) * fraction + (low >> 16));
 }
 
-/// From `a` (share 0, exact) to `b` (share 1, exact); rounded once. |a - b| is less than 32768 px.
+/// From `a` (at 0, exact) to `b` (at 1, exact); rounded once. |a - b| is less than 32768 px.
 constexpr Fixed lerp(Fixed a, Fixed b, Fraction fraction)
 {
     return a + Fixed::from_raw(multiply_q16((b - a).raw(), static_cast<std::int32_t>(fraction.raw)));
 }
 
-/// From `a` (way 0, exact) to `b` (way 1, exact) and beyond; rounded once. |a - b| is less than 32768 px
-/// for ways of 0 … 1. For ways beyond, a and b are within ±4095 px, as all coordinates of a canvas: then the
+/// From `a` (at 0, exact) to `b` (at 1, exact) and beyond; rounded once. |a - b| is less than 32768 px for
+/// progress of 0 … 1. Beyond that, a and b are within ±4095 px, as all coordinates of a canvas: then the
 /// result is within ±16380 px, and any two results are less than 32768 px apart.
 constexpr Fixed lerp(Fixed a, Fixed b, Progress progress)
 {
@@ -192,7 +192,7 @@ constexpr bool fits_in(std::int32_t value, int bits)
     return static_cast<std::uint32_t>(value) + (1U << bits) <= 2U << bits;
 }
 
-/// Of factors in Q16, at most 8, and of ways, at most 1024 px: sums of two products are within ±16384 px.
+/// For factors in Q16, at most 8, and distances, at most 1024 px: sums of two products are within ±16384 px.
 constexpr bool is_small_factor(std::int32_t factor) { return fits_in(factor, 19); }
 constexpr bool is_small_distance(std::int32_t raw) { return fits_in(raw, 26); }
 
@@ -209,7 +209,7 @@ constexpr std::int32_t product_q30_down(std::int32_t a, std::int32_t b)
     return a_high * b_high * 4 + (middle >> 14);
 }
 
-/// As sum_of_products() where that fits in 32 bits.
+/// Like sum_of_products(), where that fits in 32 bits.
 constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q, std::int32_t b)
 {
     constexpr std::uint32_t low_half = 0xFFFF;
@@ -221,7 +221,7 @@ constexpr std::int32_t short_sum_of_products(std::int32_t p, std::int32_t a, std
                                      static_cast<std::uint32_t>(rest >> 16));
 }
 
-/// p a + q b in Q16, likewise, mostly in 32 bits.
+/// The same, mostly in 32 bits.
 [[gnu::noinline]] constexpr std::int64_t sum_of_products(std::int32_t p, std::int32_t a, std::int32_t q,
                                                          std::int32_t b)
 {
@@ -243,7 +243,7 @@ constexpr std::uint32_t square_root(T value)
     return static_cast<std::uint32_t>(root);
 }
 
-/// `total` things handed out to `count` receivers as evenly as the original KFAST did it: everybody gets
+/// `total` things distributed to `count` receivers as evenly as the original KFAST did it: each gets
 /// total div count, and the first total mod count of them one more. `count` is at least 1.
 struct Distribution {
     std::uint32_t each = 0;
@@ -253,7 +253,7 @@ struct Distribution {
     constexpr Distribution(std::uint32_t total, std::uint32_t count) : each{1}
     {
         expects(count >= 1);
-        if (total == count) // most are, and small processors divide by a function
+        if (total == count) // mostly, and small processors call a function to divide
             return;
         each = total / count;
         extra = total % count;

@@ -154,7 +154,7 @@ CubicSteps::CubicSteps(const Segment& cubic, int pieces) : from_{cubic.from}
     set(y_, y1, y2, y3, pieces);
 }
 
-/// From the beginning on, where the curve leads to `to` by way of `c1` and `c2`.
+/// Sets the axis to the beginning of the curve to `to` with the control points `c1` and `c2`.
 void CubicSteps::set(Axis& axis, Fixed c1, Fixed c2, Fixed to, int pieces) const
 {
     const int dropped = 15 + result_bits - shift_;

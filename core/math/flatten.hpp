@@ -10,9 +10,9 @@ namespace kfast {
 
 /// One piece of a stroke: a straight line, or a cubic Bezier curve with the control points c1 and c2.
 ///
-/// The functions below need all points of a segment, and of both segments of a tween, to lie less than
-/// 32768 px apart in x and in y; nothing is checked. Drawings within ±16383 px always do, and drawings within
-/// ±4095 px can also be tweened by ways beyond 0 … 1 and then be divided.
+/// The functions below require all points of a segment, and of both segments of a tween, to be less than
+/// 32768 px apart in x and in y; nothing is checked. Drawings within ±16383 px always are, and drawings
+/// within ±4095 px can also be tweened by progress beyond 0 … 1 and then be divided.
 struct Segment {
     enum class Kind : std::uint8_t { line, cubic };
 
@@ -31,21 +31,21 @@ constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 /// A line as a curve, its control points at the thirds to 1/65536 of its length.
 [[gnu::cold]] Segment as_cubic(const Segment& segment);
 
-/// With all points rounded to 1/64 px, halves up.
+/// The segment with all points rounded to 1/64 px, halves up.
 [[gnu::cold]] Segment rounded_to_grid(const Segment& segment);
 
 /// The stretch of `whole` between two shares of its parameter; curves by de Casteljau's construction, each
 /// point within 2/65536 px. Two stretches that share an end share its very bits.
 [[gnu::cold]] Segment subsegment(const Segment& whole, Fraction begin, Fraction end);
 
-/// The point on `segment` at a share of its parameter, within 2/65536 px; on a line rounded once.
+/// The point on `segment` at a parameter, within 2/65536 px; on a line rounded once.
 Point point_at(const Segment& segment, Fraction fraction);
 
-/// Between two segments of one kind, with separate ways for x and y, which may lead beyond either; rounded
-/// once, each end exact.
+/// Interpolates two segments of one kind, with separate progress for x and y, which may be beyond 0 … 1;
+/// rounded once, exact at 0 and 1.
 Segment tween(const Segment& a, const Segment& b, Progress x, Progress y);
 
-/// How far the middles of chords may lie from a curve. The corners of the pieces that stand for it lie beside
+/// How far the middles of chords may be from a curve. The corners of the pieces that replace it are beside
 /// the curve, so that a piece takes away what it adds: no more than 2/3 of it outside, 1/3 inside.
 inline constexpr Fixed flatness = Fixed::from_raw(Fixed::one / 16);
 
@@ -55,7 +55,7 @@ inline constexpr int max_steps = 32;
 
 /// The points of a cubic at steps of equal parameter length by forward differences, in 32 bits without a
 /// division. Each is moved away from the chord between its neighbours by 1/12 of its second difference: the
-/// pieces between the points enclose what the curve does.
+/// pieces between the points enclose the area that the curve does.
 ///
 ///     P(t) = from + C t + B t^2 + A t^3,  h = 1 / pieces
 ///     first  = C h + B h^2 + A h^3        from one point to the next
@@ -69,7 +69,7 @@ public:
     /// 2 … max_steps pieces.
     CubicSteps(const Segment& cubic, int pieces);
 
-    /// The next point behind the beginning, before the end.
+    /// The next point after the beginning and before the end.
     Point next() { return {x_.next(from_.x, shift_), y_.next(from_.y, shift_)}; }
 
 private:
@@ -82,8 +82,8 @@ private:
         std::uint32_t second;
         std::uint32_t third;
 
-        /// Where `from` is the beginning. Steps may be rounded up beyond what a difference can be; the sums
-        /// lose that again.
+        /// `from` is the beginning. Steps may be rounded up beyond the range of a difference; the sums cancel
+        /// that.
         Fixed next(Fixed from, int shift)
         {
             value += first;
@@ -113,9 +113,9 @@ void flatten_freely(const Segment& cubic, int pieces, LineTo& line_to)
         line_to(steps.next());
 }
 
-/// Calls line_to(point) for the ends of the straight pieces that stand for `segment`: one for a line,
+/// Calls line_to(point) for the ends of the straight pieces that replace `segment`: one for a line,
 /// `pieces` of equal parameter length for a curve. The point it begins at is not among them, the last one is
-/// exact, those between lie beside the curve (CubicSteps), but for every 32nd of more, which lies on it.
+/// exact, those between are beside the curve (CubicSteps), except that of more than 32 every 32nd is on it.
 template <class LineTo>
 void flatten(const Segment& segment, int pieces, LineTo line_to)
 {
@@ -133,14 +133,14 @@ void flatten(const Segment& segment, int pieces, LineTo line_to)
     line_to(segment.to);
 }
 
-/// How many pieces a segment needs so that chords lie within `flatness` of it.
+/// How many pieces a segment needs so that chords are within `flatness` of it.
 ///
-/// n pieces lie within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and
+/// n pieces are within 3 d / 4 n^2 of a curve, where d is the longer of |from - 2 c1 + c2| and
 /// |c1 - 2 c2 + to|: a chord of a function f over 1/n is at most max |f''| / 8 n^2 off, and f'' is 6 times
-/// what lies between those two.
+/// a mean of those two.
 int pieces_for(const Segment& segment);
 
-/// A number of pieces, each about 2^coarseness times as long; 1 at least, as `pieces` is.
+/// The number of pieces that are about 2^coarseness times as long; at least 1, as `pieces` is.
 constexpr int coarser(int pieces, int coarseness)
 {
     expects(pieces >= 1 && coarseness >= 0);

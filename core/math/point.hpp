@@ -27,25 +27,25 @@ constexpr std::int32_t rough_length(std::int32_t x, std::int32_t y)
     return std::max(width, height) + std::min(width, height) / 2;
 }
 
-/// As lerp() of Fixed, for x and y alike.
+/// lerp() of Fixed, the same for x and y.
 constexpr Point lerp(Point a, Point b, Fraction fraction)
 {
     return {lerp(a.x, b.x, fraction), lerp(a.y, b.y, fraction)};
 }
 
-/// With separate ways for x and y.
+/// lerp() with separate progress for x and y.
 constexpr Point lerp(Point a, Point b, Progress x, Progress y)
 {
     return {lerp(a.x, b.x, x), lerp(a.y, b.y, y)};
 }
 
-/// What lies further away from the origin in x or y, in whole pixels, is moved there: so far that differences
-/// fit in Fixed.
+/// x and y are clamped to this distance from the origin, in whole pixels: then their differences fit in
+/// Fixed.
 inline constexpr std::int32_t max_coordinate = 16383;
-/// The same for what is yet to be tweened by ways that may lead beyond 0 … 1 (core/math/fixed.hpp).
+/// The same for what is yet to be tweened by progress that may be beyond 0 … 1 (core/math/fixed.hpp).
 inline constexpr std::int32_t max_tweened_coordinate = 4095;
 
-/// What a coordinate is computed in: 64 bits if 32 may not be enough.
+/// A type that coordinates are computed in: 64 bits if 32 may not be enough.
 template <class T>
 concept Coordinate = std::same_as<T, std::int32_t> || std::same_as<T, std::int64_t>;
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int nearness_bits = 24;
 
-/// Bits that a distance of at least 1 has too many for a divisor.
+/// By how many bits a distance of at least 1 is too long for a divisor.
 int excess_bits(std::int64_t distance)
 {
     return std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(distance))) - 32);
 }
 
-/// Farther from the middle, points are held: projected, they are out of sight, or too far away to matter.
+/// Farther from the middle, points are clamped: projected, they are out of sight, or too far away to matter.
 std::int64_t within_reach(std::int64_t distance)
 {
     constexpr std::int64_t farthest = std::int64_t{1} << 34;

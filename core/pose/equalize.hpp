@@ -20,7 +20,7 @@ namespace kfast {
 template <DrawingReader R>
 class BrokenDrawing {
 public:
-    /// `make(is_second)` returns the drawing, unread: so it comes to its place without a copy.
+    /// `make(is_second)` returns the drawing, unread: so it is made in place, without a copy.
     BrokenDrawing(FunctionRef<R(bool)> make, bool is_second, std::uint32_t partner_strokes)
         : reader_{make(is_second)},
           strokes_{reader_.strokes()},
@@ -46,7 +46,7 @@ public:
         return is_subdivided() ? 1 : end - begin;
     }
 
-    /// How many pieces the part that was begun is to yield; `segments` is what next_part() returned.
+    /// Divides the part that was begun into `pieces`; `segments` is what next_part() returned.
     void divide_part(std::uint32_t pieces, std::uint32_t segments)
     {
         is_plain_ = pieces == segments && !is_subdivided();
@@ -73,11 +73,11 @@ public:
 
     /// The first point of the stroke that the part belongs to.
     Point stroke_start() const { return reader_.start(); }
-    /// The part is a whole stroke.
+    /// Whether the part is a whole stroke.
     bool is_whole() const { return stroke_parts_ == 1; }
-    /// Each segment of the part is one piece.
+    /// Whether each segment of the part is one piece.
     bool is_plain() const { return is_plain_; }
-    /// For whoever reads the drawing without its parts.
+    /// For reading the drawing without its parts.
     R& reader() { return reader_; }
 
 private:
@@ -97,7 +97,7 @@ private:
         return stroke_segments_ == 0 ? still_segment(reader_.start()) : reader_.next_segment();
     }
 
-    /// Of a stroke or a segment that is divided.
+    /// Begins the next segment where the stroke or its segments are divided.
     void begin_segment()
     {
         segment_ = next_segment();
@@ -105,7 +105,7 @@ private:
         ++read_segments_;
     }
 
-    /// Its ends are those of the segment where it has none of its own.
+    /// The outer ends of the first and the last piece are those of the segment.
     Segment piece_of_segment(std::uint32_t number, std::uint32_t count) const
     {
         Segment piece = rounded_to_grid(
@@ -147,7 +147,7 @@ private:
     std::uint32_t piece_ = 0; ///< the next one of the segment
 };
 
-/// The same moment in two equalized drawings.
+/// The same point or segment in two equalized drawings.
 template <class T>
 struct Pair {
     T a;
@@ -173,10 +173,10 @@ inline void make_same_kind(Pair<Segment>& both)
 ///
 /// An empty drawing is its partner with every stroke drawn together to the centre of its vertices' box; two
 /// empty ones have no strokes. Every segment that next_stroke() counts is read before the next is begun.
-/// Points that are added lie on a grid of 1/64 px, as those that are drawn do.
+/// Points that are added are on a grid of 1/64 px, as those that are drawn are.
 ///
-/// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points lie less than
-/// 32768 px apart in x and in y (core/math/flatten.hpp). What the readers look at must outlive the pair.
+/// A drawing has at most 65535 strokes, a stroke at most 65535 segments, and their points are less than
+/// 32768 px apart in x and in y (core/math/flatten.hpp). What the readers read must outlive the pair.
 template <DrawingReader R>
 class EqualizedPair {
 public:
@@ -189,8 +189,8 @@ public:
         : EqualizedPair{both.strokes(), both.strokes(), true, [&](bool) { return both; }}
     {
     }
-    /// For a small stack: `make(is_second)` returns either drawing, unread, of so many strokes. A single pair
-    /// has as many strokes on both sides, and `make` is asked for the first drawing alone.
+    /// For a small stack: `make(is_second)` returns either drawing, unread, with that many strokes. A single
+    /// pair has as many strokes on both sides, and `make` is asked only for the first drawing.
     [[gnu::noinline]] EqualizedPair(std::uint32_t strokes_of_a, std::uint32_t strokes_of_b, bool is_single,
                                     FunctionRef<R(bool)> make)
         : a_{make, strokes_of_a == 0 && !is_single, strokes_of_b},
@@ -224,7 +224,7 @@ public:
         return pieces;
     }
 
-    /// Of the same kind. Stays as it is until the next call.
+    /// Both are of the same kind, and stay as they are until the next call.
     const Pair<Segment>& next_segment()
     {
         a_.next_piece(both_.a);
@@ -242,22 +242,22 @@ public:
     }
 
     /// Where the fill of the stroke is closed: the first points of the strokes that its two sides belong to.
-    /// For a whole stroke that is its own first point; the parts of a broken one share it.
+    /// For a whole stroke that is its own first point; the parts of a broken one have it in common.
     Pair<Point> hub() const
     {
         return {a_is_empty_ ? centre_ : a_.stroke_start(),
                 b_is_empty_ ? centre_ : (is_single_ ? a_ : b_).stroke_start()};
     }
 
-    /// Of all that has been read, nothing is broken, no points have been added, and no line has become a
-    /// curve: at either end of the way between them lies the drawing itself.
+    /// Whether in all that has been read nothing is broken, no points have been added, and no line has become
+    /// a curve: then at progress 0 and 1 the tween is the drawing itself.
     bool is_plain() const { return is_plain_; }
 
-    /// Neither side is a part of a broken stroke: closed strokes stay closed.
+    /// Whether neither side is a part of a broken stroke: closed strokes stay closed.
     bool is_whole() const { return a_.is_whole() && (is_single_ || b_.is_whole()); }
 
 private:
-    /// Of the stroke that comes next: b_ has the drawing that is not empty, too, and is read for this alone.
+    /// Finds the centre of the next stroke: b_ has the non-empty drawing, too, and is read only for this.
     [[gnu::cold, gnu::noinline]] void find_centre()
     {
         R& outline = b_.reader();

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(sizeof(InputPoint) == 4);
 
-/// Of one drawing; a multiple of 4.
+/// Bytes for one drawing; a multiple of 4.
 constexpr std::size_t bytes_of_strokes(std::size_t strokes) { return (strokes + 1) / 2 * 4; }
 
 constexpr std::size_t bytes_of_drawing(std::size_t strokes, std::size_t points)
@@ -100,7 +100,7 @@ InputPoint live_point(Point at)
             static_cast<std::int16_t>(at.y.raw() >> sixteenth_bits)};
 }
 
-/// `drawing` has no more than `live` holds (SceneView::parse).
+/// Shows `drawing`, which has no more than `live` can hold (SceneView::parse).
 void show(PackedDrawing drawing, InputDrawing live)
 {
     live.begin();

@@ -24,8 +24,8 @@ struct InputPoint {
 /// Straight lines through points; one point is a dot. Closed when its first and last point coincide.
 using InputStroke = std::span<const InputPoint>;
 
-/// A drawing from outside: the one that is shown, and the next one, which comes point by point and takes
-/// its place at once. Lives in memory that the caller lends; copies are the same drawing.
+/// A drawing from outside: the one that is shown, and the next one, which arrives point by point and replaces
+/// it at once. It is stored in memory that the caller lends; copies are the same drawing.
 class InputDrawing {
 public:
     /// Bytes of memory for what `limits` allow; a multiple of 4.
@@ -35,21 +35,21 @@ public:
     /// then.
     InputDrawing(std::span<std::byte> memory, const DrawingInput& limits);
 
-    /// Of what is shown.
+    /// Strokes of the drawing that is shown.
     std::uint32_t strokes() const { return shown().strokes; }
-    /// `number` is less than strokes(). Has at least one point.
+    /// `number` is less than strokes(). The stroke has at least one point.
     InputStroke stroke(std::uint32_t number) const;
 
-    /// The next drawing is empty, and its mark 0.
+    /// Empties the next drawing and sets its mark to 0.
     void begin();
-    /// The next point begins a stroke, as the first one does anyway.
+    /// Lets the next point begin a stroke, as the first one always does.
     void begin_stroke() { head_->has_stroke = 0; }
     /// Whether there was room for the point.
     bool add(InputPoint point);
-    /// Of the next drawing: whatever helps the one who tells it; 0 at first.
+    /// A number of the next drawing, for the code that adds its points; 0 at first.
     std::uint32_t mark() const { return head_->mark; }
     void set_mark(std::uint32_t mark) { head_->mark = mark; }
-    /// Shows the next drawing instead, and empties what is next. Whether they differ.
+    /// Shows the next drawing instead, and empties what is next. Returns whether they differ.
     bool show();
 
 private:
@@ -59,7 +59,7 @@ private:
     };
     struct Head {
         Counts drawings[2];
-        std::uint16_t shown;      ///< number of the drawing that is
+        std::uint16_t shown;      ///< number of the drawing that is shown
         std::uint16_t has_stroke; ///< of the next one: points belong to its last stroke
         std::uint32_t mark;
     };
@@ -83,7 +83,7 @@ constexpr Point point_of(InputPoint point)
     return {Fixed::sixteenths(point.x), Fixed::sixteenths(point.y)};
 }
 
-/// Where the drawing that is shown begins; the origin if it is empty.
+/// The first point of the drawing that is shown; the origin if it is empty.
 inline Point start_of(const InputDrawing& drawing)
 {
     return drawing.strokes() == 0 ? Point{} : point_of(drawing.stroke(0).front());
@@ -117,13 +117,13 @@ public:
     static std::size_t bytes_for(const SceneView& scene);
 
     InputDrawings() = default;
-    /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows what is default.
+    /// `memory`, aligned to 4 bytes, has bytes_for(scene). Shows the default drawings.
     InputDrawings(const SceneView& scene, std::span<std::byte> memory);
 
-    /// Shows all of them as they are before anything has come: part of making them, for the feature.
+    /// Shows the default drawings: part of the constructor, called only with the feature.
     void show_default(const SceneView& scene) const;
 
-    /// That of the input `number` of `scene`, the one that these were made for; it is a drawing.
+    /// The drawing of the input `number` of `scene`, the scene that these were made for.
     InputDrawing of(const SceneView& scene, std::uint32_t number) const;
 
 private:

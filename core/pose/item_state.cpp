@@ -20,11 +20,11 @@ constexpr int fraction_bits = raster::CornerMap::fraction_bits;
 constexpr int inverse_bits = 36;
 constexpr std::int32_t one = 1 << fraction_bits;
 
-/// By what lengths may grow once more when corners are placed; above 1, so that what is only turned keeps its
-/// scale although its factors are rounded.
+/// The maximum scale when corners are placed; above 1, so that what is only rotated keeps its scale although
+/// its factors are rounded.
 constexpr std::int32_t max_scale_factor = one * 17 / 16;
-/// How far a map may be from a turn that grows, by part of its growth: pens become that much broader on a
-/// side.
+/// How far a map may be from a rotation with a scale, as a fraction of its scale: pens become that much
+/// broader on a side.
 constexpr std::int32_t tolerance = one / 128;
 
 constexpr std::int32_t max_factor = 1 << 20; ///< far more than the largest scale
@@ -51,7 +51,7 @@ RigidPlacements::RigidPlacements(std::int32_t canvas_scale)
 
 std::int32_t RigidPlacements::factor(std::int32_t q16) const
 {
-    if (base_ == Fixed::one) // mostly, and the same
+    if (base_ == Fixed::one) // mostly; the result is the same
         return std::clamp(rounded_shift(q16, 2), -max_factor, max_factor);
     constexpr int shift = inverse_bits - fraction_bits;
     const std::int64_t wide = rounded_shift(q16 * inverse_, shift);
@@ -107,7 +107,7 @@ std::int64_t within_shift(std::int64_t shift)
     return std::clamp(shift, -furthest, furthest);
 }
 
-/// Where an item is put, by what its tracks come to.
+/// The placement of an item, from the values of its tracks.
 class Placement {
 public:
     explicit Placement(const Features& features) : features_{features}
@@ -115,9 +115,9 @@ public:
         fine(Property::scale_x) = fine(Property::scale_y) = to_fine(scale_one);
     }
 
-    /// In 1/256 of the unit of the property, which is among those that place an item.
+    /// A value in 1/256 of the unit of the property, which is one of those that place an item.
     std::int32_t& fine(Property property) { return fine_[static_cast<std::size_t>(property)]; }
-    /// Puts the pivot onto the path.
+    /// Moves the pivot to the path.
     void follow(const PathView& path, const PackedDrawing& stroke)
     {
         const PathPlace place = features_.paths->place_on(path, stroke, value(Property::along));
@@ -135,8 +135,8 @@ private:
 
     const Features& features_;
     std::array<std::int32_t, static_cast<std::size_t>(Property::along) + 1> fine_{};
-    Point position_;   ///< that a path gives it
-    FineAngle turned_; ///< by a path
+    Point position_;   ///< from a path
+    FineAngle turned_; ///< rotation by a path
 };
 
 Space Placement::space() const
@@ -166,7 +166,7 @@ Space Placement::rotation() const
     return is_upright ? upright(turning) : features_.depth->tilted(turning);
 }
 
-/// Apart, so that the stack has the view of the item only where it is wanted.
+/// A function of its own, so that the view of the item is on the stack only where it is needed.
 [[gnu::noinline]] void follow_path(Placement& placement, const SceneView& scene, const Node& item)
 {
     const PathView path = item_view(scene, item).path;
@@ -183,7 +183,7 @@ const TrackState* ItemState::track(Property property) const
     return nullptr;
 }
 
-/// In 1/256 of the unit of the property.
+/// The value in 1/256 of the unit of the property.
 std::int32_t ItemState::fine(Property property) const
 {
     const TrackState* const found = track(property);

@@ -40,7 +40,7 @@ PlacedGlyph LabelLayout::next()
     return placed;
 }
 
-/// From the first of the rest to where the next one begins, or to the end of the text.
+/// The distance from the first of the rest to the beginning of the next one, or to the end of the text.
 std::int32_t LabelLayout::step() const
 {
     const std::uint32_t glyph = number(rest_[0]);
@@ -65,7 +65,7 @@ Point LabelTrace::start() const
 
 namespace {
 
-/// With how many glyphs there are.
+/// Includes the number of glyphs.
 std::size_t bytes_of(const InputView& input)
 {
     return input.type == InputType::text ? 1 + input.text.max : 0;
@@ -86,7 +86,7 @@ TextPlace place_of(InputCursor inputs, std::uint32_t number, std::span<std::byte
     return {input.text, memory.subspan(before, bytes_of(input))};
 }
 
-/// Whether that changes what is there.
+/// Sets the byte. Returns whether that changes it.
 bool replace(std::byte& byte, std::size_t value)
 {
     const auto fresh = static_cast<std::byte>(value);

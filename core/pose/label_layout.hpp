@@ -16,10 +16,10 @@
 
 namespace kfast {
 
-/// A glyph of a text and where it goes.
+/// A glyph of a text and its position.
 struct PlacedGlyph {
     std::uint32_t drawing = 0; ///< offset in the section of drawings
-    Point origin;              ///< where the drawing's (0, 0) lies, in whole 1/16 px
+    Point origin;              ///< where the drawing's (0, 0) is, in whole 1/16 px
 };
 
 /// Lays out a text by the advances of its glyphs, one after the other. Where each of them begins is rounded
@@ -77,17 +77,17 @@ public:
     static std::size_t bytes_for(const SceneView& scene);
 
     InputTexts() = default;
-    /// `memory` has bytes_for(scene). Holds what is default.
+    /// `memory` has bytes_for(scene). Holds the default texts.
     InputTexts(const SceneView& scene, std::span<std::byte> memory);
 
-    /// The glyphs of the input `number` of `scene`, the one that these were made for; it is a text.
+    /// The glyphs of the input `number`, a text, of `scene`, the scene that these were made for.
     std::span<const std::byte> glyphs(const SceneView& scene, std::uint32_t number) const;
-    /// Makes it `text`, in UTF-8, and tells whether that changes it. Characters without a glyph are left out,
-    /// and so are those beyond the most that the input takes. An input that is no text stays as it is.
+    /// Sets it to `text`, in UTF-8. Returns whether that changes it. Characters without a glyph are left out,
+    /// and so are those beyond the maximum length. An input that is no text stays as it is.
     bool put(const SceneView& scene, std::uint32_t number, std::string_view text);
 
 private:
-    std::span<std::byte> memory_; ///< of each text how many glyphs it has, and room for the most of them
+    std::span<std::byte> memory_; ///< of each text the number of its glyphs, and room for the maximum
 };
 
 }

@@ -77,7 +77,7 @@ void ObjectStrokes::trace_kept_tween(PictureCache& cache, const Affine& placemen
     trace_kept(*tween, progress_, deformers, placement, outline);
 }
 
-/// Apart, so that the stack has what they are made of only as long as they are made.
+/// A function of its own, so that what they are made of is on the stack only while they are made.
 [[gnu::noinline]] PosedStrokes ObjectStrokes::posed_strokes(const Affine& placement) const
 {
     const SceneView& scene = on_panel_.scene;
@@ -112,7 +112,7 @@ DeformedDrawing ObjectStrokes::deformed_by_bones(std::uint32_t drawing, std::int
             on_panel_.bones.subspan(object_.of)};
 }
 
-/// Null if none carry the object.
+/// Null if none deform the object.
 const PosedBackbones* ObjectStrokes::backbones(PictureCache* cache) const
 {
     if (object_.deformer != Deformer::backbones)
@@ -137,7 +137,7 @@ const PosedBackbones& ObjectStrokes::posed_backbones(PictureCache* cache) const
     return *backbones_;
 }
 
-/// Apart, so that the stack has the readers only where they are wanted.
+/// A function of its own, so that the readers are on the stack only where they are needed.
 [[gnu::noinline]] void ObjectStrokes::read_backbones(std::uint32_t from, std::uint32_t to) const
 {
     const TrackState& keys = on_panel_.prepared.key_track(object_, KeyValue::backbones);

@@ -20,23 +20,23 @@ namespace kfast {
 
 class ObjectOutline;
 
-/// What an object's keys and skeletons make of its drawing at one moment.
+/// The strokes of an object at one time, as its keys and skeletons make them.
 class ObjectStrokes {
 public:
-    /// `scene` has been moved to the moment, and its bones posed; both must outlive it.
+    /// `scene` has been moved to the time, and its bones posed; both must outlive it.
     ObjectStrokes(const SceneOnPanel& scene, const Node& object);
 
-    /// What places the drawing of the key before, if that is all that there is, and moves as a whole: a bone,
-    /// or nothing. None if its points move on their own.
+    /// The map that places the drawing of the key before, if that is all that there is, and moves as a whole:
+    /// that of a bone, or the identity. None if its points move on their own.
     std::optional<Affine> rigid_deformation() const;
     /// The drawing of the key before.
     std::uint32_t drawing() const { return from_.drawing; }
-    /// Adds its strokes, as they were drawn, likewise.
+    /// Adds its strokes, as they were drawn, placed, to `outline`.
     [[gnu::cold, gnu::noinline]] void trace_drawing(const Affine& placement, ObjectOutline& outline) const;
-    /// Of the drawing of the key before, or of the backbones that carry it.
+    /// The first point of the drawing of the key before, or of the backbones that deform it.
     Point first_point() const;
-    /// Adds the strokes, placed, to `outline`. What drawings without bones come to between two keys is kept
-    /// in `cache` if it finds room; the strokes are the same.
+    /// Adds the strokes, placed, to `outline`. Two drawings without bones, made equal, are kept in `cache` if
+    /// they find room; the strokes are the same.
     void trace(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
     /// The same without a cache; PosedStrokes::trace() says what an outline is.
     template <class Outline>
@@ -51,7 +51,7 @@ public:
             tweens->trace(*this, placement, outline);
     }
 
-    /// Likewise of a wire frame: what is seen of its strokes.
+    /// The same for a wire frame: adds its strokes as they are seen.
     template <class Outline>
     [[gnu::cold]] void trace(const Projection& projection, Outline& outline) const
     {
@@ -62,7 +62,7 @@ public:
 
     // Called for features (core/features.hpp).
 
-    /// On the way to the next key. Apart, for it takes much of the stack.
+    /// Traces the tween to the next key. A function of its own, because it takes much of the stack.
     template <class Outline>
     [[gnu::noinline]] void trace_tween(const Affine& placement, Outline& outline) const
     {
@@ -71,13 +71,13 @@ public:
     }
     /// The same from the cache, if both drawings find room there.
     void trace_kept_tween(PictureCache& cache, const Affine& placement, ObjectOutline& outline) const;
-    /// A key drawing, carried by a skin.
+    /// A key drawing, deformed by a skin.
     DeformedDrawing deformed_by_bones(std::uint32_t drawing, std::int32_t skin) const;
-    /// The backbones that carry the object. Their drawings are kept if there is a cache.
+    /// The backbones that deform the object. Their drawings are kept if there is a cache.
     const PosedBackbones& posed_backbones(PictureCache* cache) const;
 
 private:
-    /// It is all that there is to trace at the moment, as bones may carry it.
+    /// Whether there is only one drawing to trace at the time, maybe deformed by bones.
     bool is_one_drawing() const;
 
     /// What a key shows.
@@ -86,7 +86,7 @@ private:
         std::int32_t more = 0;     ///< see Key::more
     };
 
-    /// Of the key before alone. Apart, for it takes much of the stack.
+    /// Traces the drawing of the key before alone. A function of its own, as it takes much of the stack.
     template <class Outline>
     [[gnu::noinline]] void trace_from(const Affine& placement, Outline& outline) const
     {
@@ -102,9 +102,9 @@ private:
     const SceneOnPanel& on_panel_;
     const Node& object_;
     Shown from_;
-    Shown to_; ///< to which the way leads: not always what the next key shows
+    Shown to_; ///< at the arrival: not always what the next key shows
     ProgressXY progress_;
-    mutable std::optional<PosedBackbones> backbones_; ///< made when they are first wanted
+    mutable std::optional<PosedBackbones> backbones_; ///< made when they are first needed
 };
 
 }

@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::int32_t one_px = Fixed::one;
 constexpr std::int32_t max_across = 8 * one_px; ///< Q16, across
-/// What lies along a cell whose points are within small_reach, or as far again beyond either end of it, is
-/// within three times that, and within nine times if it is up to small_width across: Fixed can tell that.
+/// A point along a cell whose points are within small_reach, or as far again beyond either end of it, is
+/// within three times that, and within nine times if it is up to small_width across: that fits in Fixed.
 constexpr std::int32_t small_reach = 1023 * one_px;
 constexpr std::int32_t small_width = 2 * one_px;
 
-/// `share` is in Q16 and may lie beyond 0 … 1.
+/// The fraction `share` is in Q16 and may be beyond 0 … 1.
 std::int64_t mix(std::int64_t a, std::int64_t b, std::int32_t share)
 {
     return a + rounded_shift((b - a) * share, 16);
@@ -29,7 +29,7 @@ std::int32_t mix(std::int32_t a, std::int32_t b, std::int32_t share)
     return a + multiply_q16(b - a, share);
 }
 
-/// From the line between two nodes towards that between their outline points.
+/// Interpolates from the line between two nodes to that between their outline points.
 template <class Number>
 Point placed_across(const BackboneNode& a, const BackboneNode& b, Point BackboneNode::*side,
                     std::int32_t along, std::int32_t width)
@@ -78,8 +78,8 @@ PosedBackbones::PosedBackbones(std::span<BackboneNode> nodes, std::uint32_t unit
     take(both.strokes(), next_stroke, next_point);
 }
 
-/// Three strokes for each backbone, and a gap behind it.
-/// next_point(is_first) tells whether it is the first one of a stroke.
+/// Takes three strokes for each backbone, and adds a gap after it.
+/// `is_first` of next_point(is_first) says whether it is the first point of a stroke.
 void PosedBackbones::take(std::uint32_t strokes, FunctionRef<std::uint32_t()> next_stroke,
                           FunctionRef<Point(bool)> next_point)
 {
@@ -146,7 +146,7 @@ PosedBackbones::Cell PosedBackbones::cell_at(Fixed along) const
     return {static_cast<std::int32_t>(nodes_.size()) - 3, 2 * one_px};
 }
 
-/// As far out as belongs to the backbone.
+/// The outermost cell that belongs to the backbone.
 PosedBackbones::Cell PosedBackbones::end_of(std::int32_t backbone, bool is_beginning) const
 {
     std::int32_t node = 0;

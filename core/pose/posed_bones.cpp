@@ -22,7 +22,7 @@ std::int32_t of(std::span<const std::int32_t, bone_quantity_count> values, BoneQ
     return values[static_cast<std::size_t>(quantity)];
 }
 
-/// What is at (x, y) in the frame of `parent`.
+/// The point at (x, y) in the frame of `parent`, on the canvas.
 Point on_canvas(const BoneFrame& parent, Fixed x, Fixed y)
 {
     const std::int64_t cosine = parent.direction.cosine;
@@ -48,7 +48,7 @@ FineValues values_at_rest(const BoneSetUp& bone)
     return fine;
 }
 
-/// How many times as long as set up, at most 64 times; Q16.
+/// The length relative to that as set up, at most 64; Q16.
 std::int64_t stretch_factor(std::int64_t length, std::uint32_t set_up_length)
 {
     if (length == set_up_length) // mostly
@@ -70,7 +70,7 @@ BoneSetUp set_up_of(const SceneView& scene, const BoneNode& bone)
     return BoneSetUp::take(bytes);
 }
 
-/// What the quantities of a bone come to. Tracks have differences from what they are as set up.
+/// The values of the quantities of a bone. Tracks have differences from the set-up.
 FineValues values_of(const PreparedScene& prepared, const BoneNode& node, const BoneSetUp& bone)
 {
     FineValues fine = values_at_rest(bone);

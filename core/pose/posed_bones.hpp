@@ -14,30 +14,30 @@
 
 namespace kfast {
 
-/// Where a bone begins and where it points, on the canvas.
+/// The origin of a bone and its direction, on the canvas.
 struct BoneFrame {
-    Point origin; ///< held within ±16383 px
+    Point origin; ///< clamped to ±16383 px
     FineAngle angle;
-    UnitVector direction = {}; ///< of the angle
+    UnitVector direction = {}; ///< that of the angle
 };
 
-/// A bone at a moment, and what it makes of the points that it carries.
+/// A bone at one time, and the map of the points that it moves.
 class PosedBone {
 public:
-    /// As set up; `parent` has been set up, and is null for a root.
+    /// Takes the set-up; `parent` has been set up, and is null for a root.
     void set_up(const BoneSetUp& bone, const PosedBone* parent);
     /// `parent` has been posed.
     void pose(const BoneSetUp& bone, const PosedBone* parent,
               std::span<const std::int32_t, bone_quantity_count> fine);
 
     /// O' + R(a') S R(-a) (point - O), unprimed as set up and primed as posed; S stretches along the bone as
-    /// its length does, at most 64 times. Exact where the bone is as set up; held within ±16383 px.
+    /// its length does, at most 64 times. Exact where the bone is as set up; clamped to ±16383 px.
     Point operator()(Point point) const;
-    /// Likewise, rounded once more, and not held.
+    /// The same as a map, rounded once more, and not clamped.
     Affine map() const;
 
     const BoneFrame& frame() const { return posed_; }
-    /// Of the length, posed minus set-up.
+    /// The length as posed minus that as set up.
     Fixed extension() const { return extension_; }
 
 private:
@@ -54,18 +54,18 @@ private:
 /// Sets up all bones of the scene's skeletons; `bones` has room for scene.bone_count().
 void set_up_bones(const SceneView& scene, const PreparedScene& prepared, std::span<PosedBone> bones);
 
-/// Poses them as at the moment to which the scene was moved; they have been set up.
+/// Poses them as at the time to which the scene was moved; they have been set up.
 ///
 /// Points up to 140 px away from the origins of their bones, none shorter than 4 px, are within 1/32 px of
-/// what the stored values say, eight bones deep; within 1/16 px where angles as written turn twice on one
-/// way. The shares of ways and the lengths are rounded: errors grow with the turns, and with distance per
+/// what the stored values say, eight bones deep; within 1/16 px where angles as written turn twice between
+/// two keys. Progress and lengths are rounded: errors grow with the rotation, and with distance per
 /// length.
 void pose_bones(const SceneView& scene, const PreparedScene& prepared, std::span<PosedBone> bones);
 
-/// A key drawing as bones carry it at one moment, or, without a skin, as it was drawn.
+/// A key drawing as bones deform it at one time, or, without a skin, as it was drawn.
 ///
 /// A point moves as it would at rest, and keeps its distance from there: p + (bones(r) - r). Control points
-/// go with the vertex that they belong to. Held within ±4095 px, so that drawings can be tweened.
+/// move with the vertex that they belong to. Clamped to ±4095 px, so that drawings can be tweened.
 class DeformedDrawing {
 public:
     explicit DeformedDrawing(const PackedDrawing& drawing) : drawing_{drawing}, at_rest_{drawing} {}
@@ -80,7 +80,7 @@ public:
     Segment next_segment();
 
 private:
-    /// What works on it where bones carry it: linked only with what makes such a one.
+    /// The functions that work on it where bones deform it: linked only with what makes such a drawing.
     struct Code {
         void (*begin_stroke)(DeformedDrawing&);
         void (*deform)(DeformedDrawing&, Segment& segment);
@@ -98,7 +98,7 @@ private:
     SkinReader skin_;
     std::span<const PosedBone> bones_;
     Point start_;
-    Point at_; ///< the vertex read last as it is carried
+    Point at_; ///< the vertex read last, deformed
 };
 
 static_assert(DrawingReader<DeformedDrawing>);

@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// z goes by the law for x.
+/// z has the progress of x.
 Point PosedWires::seen(Pair<Point> flat, Pair<Point> depths) const
 {
     const Fixed z = lerp(depths.a.x, depths.b.x, progress_.x);
@@ -14,7 +14,7 @@ Point PosedWires::seen(Pair<Point> flat, Pair<Point> depths) const
 
 template void PosedWires::trace(ObjectOutline& outline);
 
-/// `from` is where the segment before ended, the same bits.
+/// `from` is the end of the segment before, the same bits.
 Segment PosedStrokes::live(const Pair<Segment>& both, Point from) const
 {
     count_op(both.a.kind == Segment::Kind::line ? Op::line : Op::curve);
@@ -38,7 +38,7 @@ template void PosedStrokes::trace(ObjectOutline& outline);
 
 namespace {
 
-/// The points of two drawings as they lie on the way between them.
+/// The points of the tween between two drawings.
 class KeptPoints {
 public:
     KeptPoints(TweenReader& tween, ProgressXY progress, const PosedBackbones* backbones,
@@ -82,7 +82,7 @@ private:
     Point shift_;
 };
 
-/// Makes of `segment` the one that follows it.
+/// Replaces `segment` by the one that follows it.
 void take_next(TweenReader& tween, KeptPoints& points, Segment& segment)
 {
     segment.from = segment.to;

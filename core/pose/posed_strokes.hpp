@@ -25,12 +25,12 @@ struct WireDrawing {
     std::uint32_t depths = 0;
 };
 
-/// The strokes of a wire frame between two drawings at one moment of their way, as they are seen. Both pairs
-/// are equalized in step, for only the numbers of strokes and segments decide. Few scenes have wires: their
+/// The strokes of a wire frame between two drawings at one progress, as they are seen. Both pairs are
+/// equalized in step, because only the numbers of strokes and segments matter. Few scenes have wires: their
 /// code is cold, so that a board can leave it in flash.
 class PosedWires {
 public:
-    /// At the very beginning of the way, `from` alone. `drawings` and `projection` must outlive the wires.
+    /// At progress 0, `from` alone. `drawings` and `projection` must outlive the wires.
     PosedWires(std::span<const std::byte> drawings, const WireDrawing& from, const WireDrawing& to,
                ProgressXY progress, const Projection& projection)
         : flat_{pair_of(drawings, from.flat, to.flat, progress)},
@@ -40,7 +40,7 @@ public:
     {
     }
 
-    /// Tells `outline`, which is a stroke's, each stroke, as PosedStrokes::trace() does; but points are as
+    /// Passes each stroke to `outline`, which is a stroke's, as PosedStrokes::trace() does; but points are as
     /// they are seen, and hubs have no meaning.
     template <class Outline>
     [[gnu::cold]] void trace(Outline& outline)
@@ -97,11 +97,11 @@ private:
     const Projection& see_;
 };
 
-// For pictures, compiled where seen() can be laid into it.
+// For pictures, compiled where seen() can be inlined.
 class ObjectOutline;
 extern template void PosedWires::trace(ObjectOutline& outline);
 
-/// Tells `outline` the strokes of one drawing, placed: begin(point), add(segment) for all segments of a
+/// Passes the strokes of one drawing, placed, to `outline`: begin(point), add(segment) for all segments of a
 /// stroke, and end(hub, is_closed). A single point counts as one segment. `drawing` has not been read, and is
 /// read to its end.
 template <class Outline>
@@ -132,12 +132,12 @@ void trace_strokes(DeformedDrawing& drawing, const Affine& placement, Outline& o
     }
 }
 
-/// The strokes between two drawings at one moment of their way, placed.
+/// The strokes between two drawings at one progress, placed.
 class PosedStrokes {
 public:
-    /// `make(is_second)` returns either drawing, unread, of so many strokes (EqualizedPair); at the very
-    /// beginning of the way it is asked for the first alone. `backbones`, which may be null, carry the
-    /// drawings; they and `placement` must outlive the strokes.
+    /// `make(is_second)` returns either drawing, unread, with that many strokes (EqualizedPair); at
+    /// progress 0 it is asked only for the first. `backbones`, which may be null, deform the drawings;
+    /// they and `placement` must outlive the strokes.
     PosedStrokes(Pair<std::uint32_t> strokes, FunctionRef<DeformedDrawing(bool)> make, ProgressXY progress,
                  const PosedBackbones* backbones, const Affine& placement)
         : pair_{strokes.a, progress.is_at_beginning() ? strokes.a : strokes.b, progress.is_at_beginning(),
@@ -148,7 +148,7 @@ public:
     {
     }
 
-    /// Tells `outline` each stroke, as trace_strokes() does. Of an outline that has end_part(), this ends the
+    /// Passes each stroke to `outline`, as trace_strokes() does. If an outline has end_part(), this ends the
     /// parts of a broken stroke instead.
     template <class Outline>
     void trace(Outline& outline)
@@ -189,12 +189,12 @@ private:
     PointMap place_;
 };
 
-// For pictures, compiled where live() can be laid into it.
+// For pictures, compiled where live() can be inlined.
 class ObjectOutline;
 extern template void trace_strokes(DeformedDrawing& drawing, const Affine& placement, ObjectOutline& outline);
 extern template void PosedStrokes::trace(ObjectOutline& outline);
 
-/// As PosedStrokes, of two drawings without bones that are kept: the same strokes, sooner.
+/// Like PosedStrokes, for two drawings without bones that are kept: the same strokes, faster.
 void trace_kept(TweenReader tween, ProgressXY progress, const PosedBackbones* backbones,
                 const Affine& placement, ObjectOutline& outline);
 

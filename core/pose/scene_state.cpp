@@ -42,7 +42,7 @@ std::size_t backbone_node_bytes(const SceneView& scene)
 {
     return scene.backbone_nodes() * sizeof(BackboneNode);
 }
-/// With what may be passed over until they are aligned.
+/// Includes what may be skipped to align them.
 std::size_t space_bytes(const SceneView& scene)
 {
     const std::size_t bytes = scene.records().spaces * sizeof(Space);

@@ -23,7 +23,7 @@ namespace kfast {
 /// What the pictures of a scene on one panel have in common.
 struct SceneOnPanel {
     SceneView scene;
-    PreparedScene prepared{};  ///< at the moment of the picture
+    PreparedScene prepared{};  ///< at the time of the picture
     Space canvas;              ///< from the canvas to the panel
     std::span<Space> spaces{}; ///< room for those of placed items in each other, for one walk at a time
     Camera camera;
@@ -31,39 +31,39 @@ struct SceneOnPanel {
     std::span<PosedBone> bones{}; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes{};
     InputDrawings drawings{}; ///< from outside
-    InputTexts texts{};       ///< likewise
+    InputTexts texts{};       ///< from outside
 };
 
-/// Without anything that moves. The canvas lies on the panel as `fit` wants it, and the viewer in front of
+/// Makes it without anything that moves. `fit` places the canvas on the panel; the viewer is in front of
 /// its middle.
 SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit);
 
 /// A scene on one panel, and what comes to it from outside: what all that plays scenes has in common.
 class SceneState {
 public:
-    /// From now on the input `number` of the scene, less than input_count(), stands at `place`, which is held
-    /// within 0 … whole_input (InputView::place_of). At first inputs stand at their default values.
+    /// Puts the input `number` of the scene, less than input_count(), at `place`, which is clamped to
+    /// 0 … whole_input (InputView::place_of). Until then inputs have their default values.
     void set_input(std::uint32_t number, Time place);
     Time input(std::uint32_t number) const
     {
         expects(number < inputs_.size());
         return inputs_[number];
     }
-    /// From now on the input `number` of the scene, less than input_count(), is `text`, in UTF-8. Characters
-    /// that have no glyph are left out, and so are those beyond the most that the input takes. At first
-    /// inputs have their default texts. One that is no text stays as it is.
+    /// Sets the input `number` of the scene, less than input_count(), to `text`, in UTF-8. Characters that
+    /// have no glyph are left out, and so are those beyond the maximum length. Until then inputs have their
+    /// default texts. An input that is no text stays as it is.
     void set_text(std::uint32_t number, std::string_view text);
     /// The glyphs of the input `number` of the scene, a text, by their numbers.
     std::span<const std::byte> text(std::uint32_t number) const
     {
         return on_panel_.texts.glyphs(scene(), number);
     }
-    /// From now on the input `number` of the scene, a drawing, is `strokes`, of which none without points
-    /// counts; at first it is the default one. Whether there is room for them; if not, nothing changes.
+    /// Sets the input `number` of the scene, a drawing, to `strokes`; strokes without points are skipped.
+    /// Until then it is the default drawing. False, and nothing changes, if there is no room for them.
     bool set_drawing(std::uint32_t number, std::span<const InputStroke> strokes);
-    /// Likewise what has come to drawing(number).
+    /// Shows the next drawing of the input `number`, which has been added to drawing(number).
     void show_next_drawing(std::uint32_t number);
-    /// For telling a drawing point by point. What is next is shown by show_next_drawing() alone.
+    /// For adding a drawing point by point. Only show_next_drawing() shows the next drawing.
     InputDrawing drawing(std::uint32_t number) const { return on_panel_.drawings.of(scene(), number); }
 
     const SceneView& scene() const { return on_panel_.scene; }
@@ -76,19 +76,19 @@ protected:
     SceneState(const SceneView& scene, Size panel, Fit fit, std::span<std::byte> memory);
 
     const SceneOnPanel& on_panel() const { return on_panel_; }
-    /// Moves the prepared scene to a moment, and tells what has moved since the one before: keys, and what
-    /// was told.
+    /// Moves the prepared scene to a time. Returns what has moved since the previous time: keys, and inputs
+    /// that were set.
     const Dependence& move_to(Time time);
-    /// As at that moment.
+    /// Poses the bones as at the time of the last move_to().
     void pose_bones();
-    /// Both. What is returned holds until an input is set.
+    /// Calls move_to() and pose_bones(). What is returned is valid until an input is set.
     SceneTime pose(Time time);
 
 private:
     void mark_input_changed(std::uint32_t number);
 
     SceneOnPanel on_panel_;
-    std::span<Time> inputs_;           ///< where each of them stands
+    std::span<Time> inputs_;           ///< the place of each of them
     std::uint32_t changed_inputs_ = 0; ///< a bit for each input that was given a new value
 };
 

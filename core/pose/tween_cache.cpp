@@ -8,7 +8,7 @@
 namespace kfast {
 namespace {
 
-constexpr std::uint32_t name_of_tweens = 0xFFFF'FFFF; ///< where other names have something else
+constexpr std::uint32_t name_of_tweens = 0xFFFF'FFFF; ///< other names have another number there
 
 Fixed wide(std::uint32_t word) { return Fixed::from_raw(static_cast<std::int32_t>(word)); }
 
@@ -23,8 +23,8 @@ public:
     {
     }
 
-    /// Whether all of it found room, and place in short coordinates unless they are wide. `pair` has not been
-    /// read.
+    /// Returns whether all of it found room, and fits in short coordinates unless they are wide. `pair` has
+    /// not been read.
     [[gnu::cold]] bool write(EqualizedPair<DeformedDrawing>& pair)
     {
         add(1);
@@ -40,7 +40,7 @@ public:
         return true;
     }
 
-    /// Coordinates are too far away, or too finely placed.
+    /// Whether coordinates are too large, or too fine, for short ones.
     bool is_too_short() const { return !is_short_; }
 
 private:
@@ -138,10 +138,10 @@ private:
     PictureCache& cache_;
     std::uint32_t form_;
     std::size_t written_ = 0; ///< words
-    std::size_t kinds_ = 0;   ///< place of the word of kinds
+    std::size_t kinds_ = 0;   ///< index of the word of kinds
     bool fits_ = true;
     bool is_short_ = true;
-    bool is_plain_ = true; ///< what meets its end on the one side does so on both
+    bool is_plain_ = true; ///< strokes closed in the first drawing are so in the second
 };
 
 Point TweenReader::point_at(const std::uint32_t* at) const
@@ -160,7 +160,7 @@ Point TweenReader::wide_point(ProgressXY progress)
 
 namespace {
 
-/// Apart, so that the stack has what it is made of only as long as it is made.
+/// A function of its own, so that what it is made of is on the stack only while it is made.
 [[gnu::cold, gnu::noinline]] EqualizedPair<DeformedDrawing> equalized(const PictureCache::Name& name,
                                                                       std::span<const std::byte> drawings)
 {
@@ -176,7 +176,7 @@ namespace {
     for (const bool is_wide : {false, true}) {
         TweenWriter writer{cache, name[0] == name[1], is_wide};
         EqualizedPair pair = equalized(name, drawings);
-        cache.begin(name, PictureCache::Incoming::replaces_next); // of the way before
+        cache.begin(name, PictureCache::Incoming::replaces_next); // the previous interval's
         const bool fits = writer.write(pair);
         const std::uint32_t* const words = cache.end(fits);
         if (words != nullptr || !writer.is_too_short())

@@ -25,8 +25,8 @@ public:
     explicit TweenReader(const std::uint32_t* words) : form_{words[0]}, at_{words + 1} {}
 
     std::uint32_t strokes() const { return form_ & max_strokes; }
-    /// Whether a drawing is kept beside itself, or one beside another of the same make: then what is read on
-    /// the very beginning of the way is the first drawing itself.
+    /// Whether a drawing is kept beside itself, or one beside another of the same form: then what is read at
+    /// progress 0 is the first drawing itself.
     bool is_plain() const { return (form_ & plain_form) != 0; }
 
     /// Begins the next stroke, of strokes(), and returns the number of its segments.
@@ -52,28 +52,28 @@ public:
         return (kinds_ >> (read_++ % kinds_in_word) & 1) != 0;
     }
 
-    /// On the way between both drawings.
+    /// The next point, interpolated between both drawings.
     Point next_point(ProgressXY progress)
     {
         return is_short() ? next_short_point(progress) : wide_point(progress);
     }
-    /// Whether points are short: within 512 px, and within 1024 px on their ways.
+    /// Whether points are short: within 512 px, and within 1024 px when interpolated.
     bool is_short() const { return (form_ & wide_form) == 0; }
-    /// Only of short points.
+    /// next_point(), only if points are short.
     Point next_short_point(ProgressXY progress)
     {
         const std::uint32_t from = *at_++;
         const std::uint32_t to = (form_ & single_form) != 0 ? from : *at_++;
         return {short_lerp(low(from), low(to), progress.x), short_lerp(high(from), high(to), progress.y)};
     }
-    /// In both drawings.
+    /// The next point in both drawings.
     Pair<Point> next_points()
     {
         const Pair<Point> both{point_at(at_), point_at(at_ + words_of_point() - words_of_one())};
         at_ += words_of_point();
         return both;
     }
-    /// Of a stroke that is not whole: EqualizedPair::hub().
+    /// Only of a stroke that is not whole: EqualizedPair::hub().
     Pair<Point> hub() const { return {point_at(hub_), point_at(hub_ + words_of_point() - words_of_one())}; }
 
 private:
@@ -88,13 +88,13 @@ private:
     static constexpr std::uint32_t closed_flag = 1 << 17;
     static constexpr std::uint32_t kinds_in_word = 32;
     static constexpr int short_bits = 6; ///< short coordinates are in 1/64 px
-    /// So that the product of the difference of two short ones with a way beyond both ends has 32 bits.
+    /// So that the product of the difference of two short ones with any progress fits in 32 bits.
     static constexpr std::int32_t max_short_difference = 13000;
 
     static std::int32_t low(std::uint32_t word) { return static_cast<std::int16_t>(word); }
     static std::int32_t high(std::uint32_t word) { return static_cast<std::int32_t>(word) >> 16; }
 
-    /// As lerp() of Fixed.
+    /// Like lerp() of Fixed.
     static Fixed short_lerp(std::int32_t from, std::int32_t to, Progress progress)
     {
         return Fixed::from_raw(from * (Fixed::one >> short_bits) +
@@ -115,7 +115,7 @@ private:
 };
 
 /// The drawings at two offsets in a scene's section of drawings, made equal, from a cache in which they are
-/// kept from now on; none if they find no room. The offsets may be the same. What is read holds until the
+/// kept from now on; none if they find no room. The offsets may be the same. What is read is valid until the
 /// cache is written again.
 std::optional<TweenReader> kept_tween(PictureCache& cache, std::span<const std::byte> drawings,
                                       std::uint32_t from, std::uint32_t to);

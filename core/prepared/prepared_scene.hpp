@@ -166,13 +166,13 @@ public:
 
     /// What a track depends on.
     Dependence dependence(const TrackState& track) const;
-    /// The drawing at the arrival from the key before the time, as an offset.
+    /// The drawing that the interval from the key before the time leads to, as an offset.
     std::int32_t arrival(const Node& node) const
     {
         return node.has_arrivals ? key_track(node, KeyValue::arrival).from
                                  : key_track(node, KeyValue::drawing).to;
     }
-    /// Whether an object has it all the time from key to key, deformed by the same bones.
+    /// Whether an object has one drawing all the way from key to key, with the same skin or depths.
     bool has_one_drawing(const Node& node) const;
     /// What the points of an object depend on besides its placement: keys and skeletons.
     Dependence dependence_of_strokes(const Node& node) const;

@@ -11,8 +11,8 @@
 
 namespace kfast {
 
-/// A key drawing read once from front to back: its strokes, and in each stroke its segments. A copy goes on
-/// reading from where the original stood.
+/// A key drawing read once from front to back: its strokes, and in each stroke its segments. A copy continues
+/// from where the original was.
 template <class R>
 concept DrawingReader = std::copyable<R> && requires(R reader, const R& drawing)
 {

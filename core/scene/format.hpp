@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Where the bits of a compiled scene are and what its special numbers say, for what reads, writes and checks
-/// it. Each namespace is a record of docs/format.md; the section that describes it stands before it, and
+/// Where the bits of a compiled scene are and what its special numbers mean, for code that reads, writes and
+/// checks it. Each namespace is a record of docs/format.md; the comment before it names the section, and
 /// tests/docs/format_test.py compares the two. Fields of several bits hold numbers, or enumerations whose
 /// values are those of the format: Loop, InputType, Align, BoneQuantity, ItemKind, InputLeaf, Cap, Join,
 /// Property, BeamParts, SegmentMix, StrokeEnd. What the numbers may be is in core/scene/kfb_limits.hpp.
@@ -29,7 +29,7 @@ inline constexpr std::uint32_t magic_value = 'K' | 'F' << 8 | 'B' << 16; ///< of
 /// "Header"
 namespace header {
 inline constexpr std::size_t checksum_end = 8; ///< the checksum covers everything after itself
-/// Bytes of outlines and of the cache are stored in units of so many.
+/// The unit in which bytes of outlines and of the cache are stored.
 inline constexpr std::uint32_t memory_unit = 4;
 
 inline constexpr BitField<0, 2> loop;
@@ -81,7 +81,7 @@ inline constexpr BitField<5, 4> time_shift;
 inline constexpr BitField<9, 6> law_width;
 inline constexpr BitFlag<15> has_input;
 inline constexpr std::uint32_t max_law_width = 8;
-/// Of width and shift together: a time stays within 32 bits until it is refused.
+/// The maximum of width + shift: a time stays within 32 bits until it is refused.
 inline constexpr std::uint32_t max_time_bits = 30;
 }
 
@@ -134,7 +134,7 @@ inline constexpr std::int32_t whole_weight = 256; ///< all weights of a point
 inline constexpr BitField<0, 2> bones;            ///< of a run, less 1
 inline constexpr BitField<2, 30> points;          ///< of a run, less 1
 
-/// What an object has in the place of the offset of a skin when the bone carries all points. Its own inverse.
+/// What an object has in place of the offset of a skin when the bone moves all points. Its own inverse.
 constexpr std::int32_t of_bone(std::int32_t bone) { return -1 - bone; }
 }
 
@@ -151,7 +151,7 @@ inline constexpr BitFlag<6> is_smooth;
 inline constexpr BitFlag<7> is_fixed;
 }
 
-/// "Drawings": in the place of the first byte of a form, where it lies.
+/// "Drawings": in place of the first byte of a form, where the form is.
 namespace repeated_form {
 inline constexpr BitField<0, 2> mix; ///< SegmentMix::repeat
 inline constexpr BitFlag<2> mirrors_x;

@@ -18,16 +18,16 @@ namespace kfast {
 class GlyphSet {
 public:
     GlyphSet() = default;
-    /// Takes `bytes` as far as the set goes.
+    /// Reads the set from `bytes`.
     static GlyphSet take(ByteReader& bytes);
 
     /// At most 255.
     std::uint32_t count() const { return count_; }
-    /// Nothing if the character is not one of them.
+    /// The character's glyph; nothing if it is not one of them.
     std::optional<std::uint8_t> glyph(char32_t character) const;
-    /// `glyph` is less than count(), and the set is sound.
+    /// `glyph` is less than count(), and the set is valid.
     char32_t character(std::uint32_t glyph) const;
-    /// Whether it is what the format allows: characters rise with their numbers.
+    /// Whether the format allows it: characters rise with their numbers.
     bool is_valid() const;
 
 private:
@@ -55,21 +55,21 @@ enum class InputType : std::uint8_t {
     drawing, ///< that live items show
 };
 
-/// What of an input is a text.
+/// What an input has that is a text.
 struct TextInput {
     std::uint32_t max = 0;                    ///< characters
     GlyphSet glyphs = {};                     ///< of the characters that are shown; others are left out
     std::span<const std::byte> default_value; ///< the numbers of its glyphs, until another text is set
 };
 
-/// What a drawing from outside may have, and what it is until one comes.
+/// The limits of a drawing from outside, and the default until one is set.
 struct DrawingInput {
     std::uint32_t strokes = 0;
     std::uint32_t points = 0;        ///< of all strokes together
-    std::uint32_t default_value = 0; ///< offset in the section of drawings: lines, no more than that
+    std::uint32_t default_value = 0; ///< offset in the section of drawings: lines, within these limits
 };
 
-/// What a scene takes from outside; borrows the scene's bytes. Values of a number are in 1/1000.
+/// An input of a scene; borrows the scene's bytes. Values of a number are in 1/1000.
 struct InputView {
     std::string_view name; ///< UTF-8
     InputType type = InputType::number;
@@ -79,8 +79,8 @@ struct InputView {
     TextInput text = {};            ///< only of a text
     DrawingInput drawing{};         ///< only of a drawing
 
-    /// Where the input stands with `value`, held within its range; rounded to nearest, halves up. 0 unless it
-    /// is a number.
+    /// The place of the input at `value`, clamped to its range; rounded to nearest, halves up. 0 unless it is
+    /// a number.
     Time place_of(std::int32_t value) const;
 };
 
@@ -90,7 +90,7 @@ public:
     InputCursor(ByteReader bytes, std::uint32_t count) : bytes_{bytes}, left_{count} {}
 
     bool at_end() const { return left_ == 0; }
-    /// Only when not at the end. What is of an unknown kind is past the end.
+    /// Only when not at the end. An input of an unknown kind is past the end.
     InputView next();
     /// What has not been read.
     const ByteReader& rest() const { return bytes_; }
@@ -100,27 +100,27 @@ private:
     std::uint32_t left_;
 };
 
-/// Puts into `places` where the inputs stand until others are set; there are as many of both. What is no
-/// number stands at 0.
+/// Fills `places` with the default places of the inputs; there are as many of both. An input that is no
+/// number is at 0.
 void put_default_places(InputCursor inputs, std::span<Time> places);
 
-/// On which side of its place a line of text lies.
+/// On which side of its position a line of text is.
 enum class Align : std::uint8_t { left, center, right };
 
-/// How the text of an input is laid out on one line; borrows the scene's bytes (docs/format.md, "Labels").
-/// Widths are in 1/4096 px.
+/// How the text of an input is laid out on one line; borrows the scene's bytes (docs/format.md, "Live
+/// items"). Widths are in 1/4096 px.
 struct LabelView {
     Align align = Align::left;
-    std::int32_t x = 0; ///< of the place on the baseline that `align` says, in 1/16 px
+    std::int32_t x = 0; ///< of the position on the baseline that `align` is about, in 1/16 px
     std::int32_t y = 0;
     std::int32_t spacing = 0;         ///< added between glyphs
     std::uint32_t glyph_count = 0;    ///< that of the input's glyphs
     PackedValues drawings;            ///< of each glyph, offsets in the section of drawings
-    PackedValues advances;            ///< of each glyph, how far from its beginning the next one begins
+    PackedValues advances;            ///< of each glyph, the distance to the beginning of the next
     std::span<const std::byte> pairs; ///< see pair_code()
     PackedValues kerning;             ///< of each pair, what is added between them
 
-    bool is_whole = false; ///< the bytes ended neither before it nor behind it
+    bool is_whole = false; ///< the bytes ended neither before nor after its end
 
     /// `bytes` are those of one label.
     static LabelView of(ByteReader bytes);
@@ -132,7 +132,7 @@ struct LabelView {
     /// The two glyphs of a pair as one number, by which pairs are ordered: 256 x the left one + the right
     /// one.
     std::uint32_t pair_code(std::uint32_t number) const;
-    /// What is added between two glyphs beside the spacing.
+    /// What is added between two glyphs besides the spacing.
     std::int32_t kerning_between(std::uint32_t left, std::uint32_t right) const;
 };
 

@@ -74,7 +74,7 @@ void read_stroke_style(ByteReader& bytes, ObjectStyle& style)
     style.width = static_cast<int>(std::min<std::uint32_t>(bytes.varint(), kfb::max_width + 1));
     const std::uint32_t ends = bytes.u8();
     style.cap = static_cast<Cap>(kfb::stroke::cap.get(ends));
-    // What is above is 0: parse() refuses the rest.
+    // The bits above are 0: parse() refuses all else.
     style.join = static_cast<Join>(kfb::stroke::join.get_with_above(ends));
     if (style.join == Join::miter)
         style.miter_limit = static_cast<std::uint8_t>(bytes.u8());
@@ -106,7 +106,7 @@ ObjectView take_object(ByteReader& bytes, std::uint32_t head, bool has_depths)
     return object;
 }
 
-/// A wire frame is no more than an object behind it.
+/// After this, a wire frame is stored like an object.
 void take_live_kind(ByteReader& bytes, ItemView& item)
 {
     const std::uint32_t kind = bytes.u8();
@@ -117,7 +117,7 @@ void take_live_kind(ByteReader& bytes, ItemView& item)
         item.live.kind = static_cast<InputLeaf>(kind);
 }
 
-/// Behind the kind of what is live.
+/// Reads what follows the kind of a live item.
 void take_live(ByteReader& bytes, std::uint32_t head, ItemView& item)
 {
     switch (item.live.kind) {
@@ -159,7 +159,7 @@ Key KeyCursor::at(const KeyTime& key_time) const
     return key;
 }
 
-/// What places it stands first among its tracks.
+/// The tracks that place it are the first ones.
 bool ItemView::is_placed() const
 {
     TrackCursor all = tracks;

@@ -13,9 +13,9 @@
 
 namespace kfast {
 
-/// Tells an item, which is stored at `place` (SceneView::place_of), apart wherever symbols are used; `outer`
-/// is the path of the group or use that it lies in, 0 of the outermost ones. Items that lie beside each other
-/// begin at different bytes, and a path leads through eight of them at most.
+/// Identifies an item, which is stored at `place` (SceneView::place_of), also where symbols are used; `outer`
+/// is the path of the group or use that it is in, 0 for the outermost ones. Items of the same list begin at
+/// different bytes, and a path leads through at most eight of them.
 constexpr std::uint32_t path_to(std::uint32_t place, std::uint32_t outer)
 {
     return (outer ^ place) * 0x9E37'79B1U + (outer >> 15);
@@ -34,21 +34,21 @@ struct ObjectStyle {
     int width = 0;                                  ///< in 1/16 px
 };
 
-/// One key of an object, and the way from it to the next.
+/// One key of an object, and the interval from it to the next.
 struct Key {
     Time time;
     std::uint32_t laws = 0;    ///< number of the pair of laws
     std::uint32_t drawing = 0; ///< offset in the section of drawings
-    std::uint32_t arrival = 0; ///< offset of what the way leads to; only if the object has such drawings
-    /// What belongs to the drawing: if bones carry the object, the skin (see SceneView::skin); of a wire
-    /// frame the offset of a drawing, of the depths.
+    std::uint32_t arrival = 0; ///< offset of what the interval leads to; only if the object has such drawings
+    /// What belongs to the drawing: if bones deform the object, the skin (see SceneView::skin); of a wire
+    /// frame the offset of the drawing of its depths.
     std::int32_t more = 0;
 };
 
 /// Reads the keys of an object in the order of their times.
 class KeyCursor {
 public:
-    /// Takes `bytes` as far as the keys go.
+    /// Reads the keys from `bytes`.
     KeyCursor(ByteReader& bytes, bool has_arrivals, bool has_more);
 
     bool at_end() const { return key_times_.at_end(); }
@@ -74,7 +74,7 @@ private:
     bool has_more_;
 };
 
-/// Looks at no drawing in between.
+/// Skips the drawings in between.
 inline KeyInterval<Key> interval_at(const KeyCursor& keys, Time time)
 {
     const auto [from, to] = interval_at(keys.key_times(), time);
@@ -88,20 +88,20 @@ enum class Deformer : std::uint8_t { none, backbones, bones };
 struct ObjectView {
     ObjectStyle style;
     Deformer deformer = Deformer::none;
-    std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones carry the object
-    BackbonesView backbones = {}; ///< only if backbones carry it
+    std::uint32_t skeleton = 0;   ///< number of the skeleton; only if bones deform the object
+    BackbonesView backbones = {}; ///< only if backbones deform it
     bool has_arrivals = false;    ///< see Key::arrival
-    bool has_depths = false;      ///< it is a wire frame; then nothing carries it
+    bool has_depths = false;      ///< it is a wire frame; then nothing deforms it
     ByteReader key_bytes;         ///< begins with the keys
 
-    /// Its keys have Key::more.
+    /// Whether its keys have Key::more.
     bool has_more() const { return has_depths || deformer == Deformer::bones; }
     KeyCursor keys() const
     {
         ByteReader bytes = key_bytes;
         return take_keys(bytes);
     }
-    /// Takes `bytes`, which begin with the keys, as far as these go.
+    /// Reads the keys, with which `bytes` begin.
     KeyCursor take_keys(ByteReader& bytes) const { return {bytes, has_arrivals, has_more()}; }
 };
 
@@ -110,7 +110,7 @@ enum class ItemKind : std::uint8_t { object, group, use, live };
 /// What a live item shows.
 enum class InputLeaf : std::uint8_t {
     drawing, ///< an input of InputType::drawing, in the item's style
-    label,   ///< one of InputType::text, likewise
+    label,   ///< one of InputType::text, in the item's style
 };
 
 /// What a live item is besides its tracks and its style.
@@ -123,7 +123,7 @@ struct LiveView {
 /// Something that is painted; borrows the scene's bytes.
 struct ItemView {
     ItemKind kind = ItemKind::object;
-    bool is_known = false;            ///< no bit is set without a meaning
+    bool is_known = false;            ///< no bit without a meaning is set
     const std::byte* place = nullptr; ///< where it begins in the scene's bytes
     TrackCursor tracks;
     BeamStyle beam{};         ///< only of an object and a live item
@@ -135,11 +135,11 @@ struct ItemView {
 
     /// Whether it is painted itself, instead of items inside of it.
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
-    /// Whether some track moves, turns or scales it.
+    /// Whether some track moves, rotates or scales it.
     bool is_placed() const;
 };
 
-/// Reads items that lie beside each other, the lowest first.
+/// Reads a list of items, the lowest first.
 class ItemCursor {
 public:
     explicit ItemCursor(ByteReader bytes) : bytes_{bytes} {}

@@ -31,7 +31,7 @@ std::int32_t PackedValues::operator[](std::uint32_t index) const
 
 namespace {
 
-/// By how much `a` is more than `b`.
+/// a - b, or 0 if `b` is more.
 constexpr std::uint32_t more(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : 0; }
 
 constexpr std::uint8_t bits_within(std::uint32_t bits)
@@ -83,7 +83,7 @@ namespace {
 
 constexpr SegmentMix mix_of(std::uint32_t head) { return static_cast<SegmentMix>(kfb::form::mix.get(head)); }
 
-/// Wraps around rather than overflow.
+/// Wraps around, does not overflow.
 constexpr Fixed moved(Fixed from, std::int32_t sixteenths)
 {
     const std::uint32_t shift = static_cast<std::uint32_t>(sixteenths) * (Fixed::one / 16);
@@ -146,7 +146,7 @@ ByteReader PackedDrawing::form_elsewhere(std::uint32_t head)
     return is_known_ ? ByteReader{drawings_.subspan(offset)} : ByteReader{};
 }
 
-/// `form` goes on behind the first byte.
+/// `form` continues after the first byte.
 void PackedDrawing::begin(std::uint32_t head, ByteReader form)
 {
     head |= form.u8() << 8;
@@ -201,7 +201,7 @@ Segment PackedDrawing::predicted_cubic(Point from)
     return {.kind = Segment::Kind::cubic, .from = from, .c1 = from + out, .c2 = to - in, .to = to};
 }
 
-/// Begins again with the first half, which now runs the other way.
+/// Begins again with the first half, in the opposite direction.
 void PackedDrawing::turn()
 {
     bits_.go_to(0);

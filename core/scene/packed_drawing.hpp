@@ -10,24 +10,24 @@
 
 namespace kfast {
 
-/// Numbers of which each key has one, in as many bits as they take (docs/format.md, "Values"); borrows the
+/// Numbers, one for each key, in as many bits as they take (docs/format.md, "Values"); borrows the
 /// scene's bytes.
 class PackedValues {
 public:
     PackedValues() = default;
-    /// Takes `bytes` as far as `count` values go. Each is `more` than what is stored.
+    /// Reads `count` values from `bytes`. `more` is added to each stored one.
     static PackedValues take(ByteReader& bytes, std::uint32_t count, std::int32_t more = 0);
 
     /// Where take() has found them.
     const std::byte* place() const { return place_; }
-    /// Nothing more than what is stored.
+    /// The values as they are stored, with nothing added.
     PackedValues as_stored() const
     {
         PackedValues values = *this;
         values.more_ = 0;
         return values;
     }
-    /// `index` is less than their number. Wraps around rather than overflow.
+    /// `index` is less than their number. Wraps around, does not overflow.
     std::int32_t operator[](std::uint32_t index) const;
 
 private:
@@ -51,37 +51,37 @@ constexpr std::int32_t in_unit(std::uint32_t number, std::uint32_t unit)
 }
 
 /// What the segments of a packed stroke are; the values are those of the scene format. `repeat`: those of
-/// another stroke, whose form lies elsewhere.
+/// another stroke, whose form is stored elsewhere.
 enum class SegmentMix : std::uint8_t { lines, cubics, both, repeat };
 
 /// Where a packed stroke ends; the values are those of the scene format. `turned`: the second half of the
-/// segments is the first, turned by half a turn, and is not stored.
+/// segments is the first, rotated by half a turn, and is not stored.
 enum class StrokeEnd : std::uint8_t { open, closed, turned };
 
 /// How vectors are packed.
 struct VectorForm {
     std::uint8_t bits = 1;  ///< of each coordinate
-    bool is_sparse = false; ///< two bits tell which coordinates are not 0; the others are left out
+    bool is_sparse = false; ///< two bits say which coordinates are not 0; the others are left out
 
     friend bool operator==(const VectorForm&, const VectorForm&) = default;
 };
 
-/// How far a cubic leads in x or y whose control points are `out` from its beginning and `in` before its end,
-/// if it is no more than a parabola. Towards 0, so that it is mirrored where they are.
+/// The extent in x or y of a cubic whose control points are `out` from its beginning and `in` before its end,
+/// if it is a parabola. Rounded towards 0, so that it is mirrored where they are.
 constexpr std::int32_t predicted_end(std::int32_t out, std::int32_t in) { return 3 * (out + in) / 2; }
 
-/// How the segments of a stroke are packed (docs/format.md, "Strokes").
+/// How the segments of a stroke are packed (docs/format.md, "Forms").
 struct StrokeForm {
-    /// Vectors have at most so many bits: the difference of two 16-bit coordinates.
+    /// The maximum of VectorForm::bits: the difference of two 16-bit coordinates.
     static constexpr std::uint32_t max_bits = 17;
-    /// Those of control points have fewer than those of ends by at most this; more only if they are
-    /// predicted.
+    /// Vectors of control points have at most this many fewer bits than those of ends; more bits only if
+    /// they are predicted.
     static constexpr std::uint32_t max_fewer_bits = 7;
 
     SegmentMix mix = SegmentMix::lines;
     StrokeEnd end = StrokeEnd::open;
-    /// Whether one bit tells that a first control point goes on where the second one before came from: not at
-    /// all if 0, exactly if 1, else but for a vector of so many bits.
+    /// Whether one bit says that a first control point continues the direction of the second one before it:
+    /// no if 0, exactly if 1, else but for a vector of that many bits.
     std::uint8_t smooth = 0;
     /// Bits of the first control points of cubics that are predicted: of their second control points and
     /// their ends only what differs from predicted_end() and the like is stored. 0 if they are not.
@@ -91,22 +91,22 @@ struct StrokeForm {
 
     friend bool operator==(const StrokeForm&, const StrokeForm&) = default;
 
-    /// Of first control points.
+    /// The form of first control points.
     VectorForm first_controls() const { return predicted != 0 ? VectorForm{predicted, false} : controls; }
 
-    /// Of 16 bits. What has no meaning in them is left out: packed() tells.
+    /// Reads 16 bits. Bits without a meaning are ignored; packed() shows whether there were any.
     static StrokeForm unpacked(std::uint32_t head);
     std::uint32_t packed() const;
-    /// Makes a form that is unpacked one whose curves are predicted, from a byte; predicting() tells what had
+    /// Makes an unpacked form one whose curves are predicted, from a byte; predicting() shows which bits had
     /// a meaning.
     void predict(std::uint32_t byte);
     std::uint32_t predicting() const;
 };
 
-/// A key drawing as it lies in a compiled scene (docs/format.md, "Drawings"), read in place.
+/// A key drawing as it is stored in a compiled scene (docs/format.md, "Drawings"), read in place.
 class PackedDrawing {
 public:
-    /// `drawings` is a scene's section of drawings, `offset` less than its size. The drawing's (0, 0) lies at
+    /// `drawings` is a scene's section of drawings, `offset` less than its size. The drawing's (0, 0) is at
     /// `origin`.
     PackedDrawing(std::span<const std::byte> drawings, std::uint32_t offset, Point origin = {});
 
@@ -132,7 +132,7 @@ private:
     Point flipped(std::int32_t x, std::int32_t y) const;
 
     std::span<const std::byte> drawings_;
-    ByteReader bytes_; ///< behind the stroke that was begun, if its form lies elsewhere
+    ByteReader bytes_; ///< after the stroke that was begun, if its form is elsewhere
     std::uint32_t strokes_;
     StrokeForm form_;
     bool is_elsewhere_ = true;
@@ -140,11 +140,11 @@ private:
     std::uint32_t left_ = 0;  ///< segments of the stroke
     std::uint32_t half_ = 0;  ///< how many are left where it turns; 0 if it does not
     BitReader bits_;          ///< of these
-    std::int32_t flip_x_ = 0; ///< -1 where x runs the other way, else 0
+    std::int32_t flip_x_ = 0; ///< -1 where x is mirrored, else 0
     std::int32_t flip_y_ = 0;
     Point start_;
     Point at_;      ///< the end of the segment read last
-    Point onwards_; ///< as far from there as its second control point, opposite; 0 behind a line
+    Point onwards_; ///< as far from there as its second control point, opposite; 0 after a line
 };
 
 /// `drawings` is a scene's section of drawings, `offset` within it.

@@ -7,9 +7,9 @@
 
 namespace kfast {
 
-/// What a track of an item moves; the values are those of the scene format.
+/// What a track of an item changes; the values are those of the scene format.
 ///
-/// An item turns and grows about its pivot, then moves: p' = position + pivot + Rx (Ry (Rz (scale (p -
+/// An item is scaled and rotated about its pivot, then moved: p' = position + pivot + Rx (Ry (Rz (scale (p -
 /// pivot)))). z points at the viewer. Rz turns x towards y, Rx turns y towards z, Ry turns z towards x (as in
 /// CSS): a rotation about x takes the upper edge away from the viewer, one about y the right edge.
 enum class Property : std::uint8_t {
@@ -17,24 +17,24 @@ enum class Property : std::uint8_t {
     y,          ///< of the position, in 1/16 px
     z,          ///< of the position, in 1/16 px
     rotation_x, ///< in 1/65536 turn; may be several turns
-    rotation_y, ///< likewise
-    rotation,   ///< about z, clockwise, likewise
+    rotation_y, ///< in 1/65536 turn; may be several turns
+    rotation,   ///< about z, clockwise, in 1/65536 turn; may be several turns
     scale_x,    ///< in 1/4096; negative mirrors
     scale_y,    ///< in 1/4096; negative mirrors
     pivot_x,    ///< in 1/16 px
     pivot_y,    ///< in 1/16 px
-    along,      ///< share of the item's path that the pivot has come, in 1/65536; only of items with a path
+    along,      ///< how far the pivot is along the item's path, in 1/65536 of it; only of items with a path
     opacity,    ///< 0 … 255
     order,      ///< among the items beside it, -32768 … 32767; the lowest is painted first. Does not tween
     visible,    ///< 0 or 1; does not tween
     fill,       ///< index of the palette; only of filled objects. Not in smooth tracks, as the two before
-    stroke,     ///< index of the palette; only of stroked objects. Likewise
+    stroke,     ///< index of the palette; only of stroked objects. Not in smooth tracks
     width,      ///< of the stroke, in 1/16 px; only of stroked objects
 };
 
 inline constexpr std::size_t property_count = 17;
 
-/// Whether it says where an item lies, as the first of them do.
+/// Whether it places an item, as the first of them do.
 constexpr bool places_item(Property property) { return property <= Property::along; }
 
 inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
@@ -47,13 +47,13 @@ constexpr bool may_be_smooth(Property property)
            property != Property::stroke;
 }
 
-/// Whether a way goes by the law for y; all others go by that for x.
+/// Whether it tweens by the law for y; all others by that for x.
 constexpr bool goes_by_y(Property property)
 {
     return property == Property::y || property == Property::scale_y;
 }
 
-/// The value without a track. Of fill, stroke and width it is what the object says, and 0 here.
+/// The value without a track. For fill, stroke and width it is the object's own, and 0 here.
 constexpr std::int32_t value_without_track(Property property)
 {
     switch (property) {
@@ -74,7 +74,7 @@ struct ValueRange {
     std::int32_t max;
 };
 
-/// The values that keys of a track may have; on the way between them, bezier laws may swing beyond.
+/// The values that keys of a track may have; between them, bezier laws may overshoot.
 constexpr ValueRange value_range(Property property)
 {
     switch (property) {

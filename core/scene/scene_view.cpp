@@ -39,7 +39,7 @@ SkinReader SceneView::skin(std::int32_t skin) const
 
 LawPair SceneView::laws(std::uint32_t number) const { return laws_at(place_of_laws(number)); }
 
-/// 0 for the pair 0, which is not stored, else how far behind the byte before the first one.
+/// 0 for the pair 0, which is not stored, else the distance from the byte before the first one.
 std::uint16_t SceneView::place_of_laws(std::uint32_t number) const
 {
     if (number == 0)

@@ -23,7 +23,7 @@
 
 namespace kfast {
 
-/// A named stretch of the timeline; borrows the scene's bytes.
+/// A named part of the time; borrows the scene's bytes.
 struct ClipView {
     std::string_view name; ///< UTF-8
     Time begin;
@@ -31,7 +31,7 @@ struct ClipView {
     Loop loop = Loop::once;
 };
 
-/// A named moment of the timeline; borrows the scene's bytes.
+/// A named time; borrows the scene's bytes.
 struct EventView {
     std::string_view name; ///< UTF-8
     Time time;
@@ -68,7 +68,7 @@ private:
     Time time_;
 };
 
-/// The distance of the viewer where a scene names none, in pixels: twice the longer side. From there the
+/// The distance of the viewer if a scene does not set one, in pixels: twice the longer side. From there the
 /// canvas is seen within 28 degrees.
 constexpr std::int32_t default_camera(Size canvas)
 {
@@ -77,42 +77,42 @@ constexpr std::int32_t default_camera(Size canvas)
 
 struct ItemTotals;
 
-/// What a scene takes that is laid out to be played (core/prepared/prepared_scene.hpp).
+/// What a scene needs that is prepared to be played (core/prepared/prepared_scene.hpp).
 struct SceneRecords {
     std::uint32_t timelines = 0; ///< sets of two or more key times that are stored
     std::uint32_t tracks = 0;    ///< of items, of the keys of objects, of bones
     std::uint32_t nodes = 0;     ///< items as they are stored, symbols, and the scene
     std::uint32_t bones = 0;     ///< of all skeletons
-    std::uint32_t spaces = 0;    ///< of items that are placed and lie in each other
-    std::uint32_t levels = 0;    ///< items that lie in each other, and the scene
+    std::uint32_t spaces = 0;    ///< of nested items that are placed
+    std::uint32_t levels = 0;    ///< nested items, and the scene
 };
 
-/// A checked, borrowed look at the bytes of a compiled scene (docs/format.md).
+/// A checked, borrowed view of the bytes of a compiled scene (docs/format.md).
 ///
 /// Everything that can be wrong with the bytes is found by parse(). Every other member is total: it cannot
-/// fail and does not look twice.
+/// fail and does not check again.
 class SceneView {
     struct Unread {
         explicit Unread() = default;
     };
 
 public:
-    /// For parse() alone.
+    /// Only for parse().
     explicit SceneView(Unread) {}
 
     /// `bytes` must outlive the view; more bytes than the scene has are ignored. `features` are those that
     /// the program has to play it with. Fails with truncated, bad_magic, unsupported_version, bad_checksum,
-    /// bad_scene, too_slow, or with the first feature that the scene needs and the program has not. Behind
-    /// too_slow `item`, if there is one, is the number of the item that takes most, a use with all that is
-    /// inside, in the order in which they are stored; behind bad_scene, where the scene has more keys and
-    /// points than are read (core/scene/check/scene_check.hpp), that of the item at which it was too much;
-    /// 0xFFFFFFFF where it is none.
+    /// bad_scene, too_slow, or with the first feature that the scene needs and the program does not have.
+    /// After too_slow `item`, if not null, is the number of the item that costs most, a use with all that is
+    /// inside, in the order in which they are stored; after bad_scene, if the scene has more keys and points
+    /// than are read (core/scene/check/scene_check.hpp), that of the item at which it was too much;
+    /// 0xFFFFFFFF if it is none.
     static Result<SceneView> parse(std::span<const std::byte> bytes, const Features& features = every_feature,
                                    std::uint32_t* item = nullptr);
 
     /// The code that plays it.
     const Features& features() const { return features_; }
-    /// What of it is needed.
+    /// The part of it that the scene needs.
     FeatureSet needed_features() const { return needed_features_; }
 
     /// The bytes of the scene itself.
@@ -127,19 +127,19 @@ public:
     Loop loop() const { return loop_; }
     /// Memory for the outlines of one picture at its fullest; a multiple of 4.
     std::uint32_t outline_bytes() const { return outline_bytes_; }
-    /// The most borders that a picture of it has, those in each band of four rows counted, on a panel as
-    /// large as the canvas: what tells what the panel shows has room for them.
+    /// The maximum number of borders of a picture, those in each band of four rows counted, on a panel as
+    /// large as the canvas: the record of what the panel shows has room for them.
     std::uint32_t borders() const { return borders_; }
-    /// Memory for what is kept from picture to picture, likewise; a multiple of 4: contours of drawings that
-    /// move as a whole, and drawings between two keys. Too little costs time alone.
+    /// Memory for what is kept from picture to picture; a multiple of 4: contours of drawings that move as a
+    /// whole, and pairs of drawings made equal. Too little costs only time.
     std::uint32_t cache_bytes() const { return cache_bytes_; }
-    /// The most steps in which a row is painted: one for each fill and each stroke, and two for each item
+    /// The maximum number of steps to paint a row: one for each fill and each stroke, and two for each item
     /// that may be blended as a whole. What is in a symbol counts wherever it is used.
     std::uint32_t paint_steps() const { return paint_steps_; }
-    /// What its worst picture takes at least, in thousands of instructions of a Cortex-M0 (PictureCost), most
-    /// of the painting of pixels aside.
+    /// The least that its worst picture costs, in thousands of instructions of a Cortex-M0 (PictureCost),
+    /// without most of the painting of pixels.
     std::uint32_t cost() const { return cost_; }
-    /// How deep items that may be blended as a whole lie in each other.
+    /// How deep items that may be blended as a whole are nested.
     std::uint32_t blended_depth() const { return blended_depth_; }
 
     /// `index` is less than palette_size(); 0 is the background.
@@ -147,24 +147,24 @@ public:
     std::size_t palette_size() const { return palette_.size() / colour_bytes_; }
     /// `number` is that of a key.
     LawPair laws(std::uint32_t number) const;
-    /// Where the pair of that number is stored, for laws_at(), which reads it without looking through all
-    /// that lie before it.
+    /// Where the pair of that number is stored, for laws_at(), which reads it without going through all that
+    /// come before it.
     std::uint16_t place_of_laws(std::uint32_t number) const;
     LawPair laws_at(std::uint16_t place) const;
     /// The skeletons of bones.
     SkeletonCursor skeletons() const { return SkeletonCursor{bones_}; }
     const SceneRecords& records() const { return records_; }
-    /// Of all skeletons together.
+    /// The bones of all skeletons together.
     std::uint32_t bone_count() const { return records_.bones; }
-    /// How many bones the skeletons before `skeleton` have.
+    /// The number of bones of the skeletons before `skeleton`.
     std::size_t first_bone(std::uint32_t skeleton) const;
-    /// How many nodes and gaps the backbones of any object have at most (core/pose/posed_backbones.hpp).
+    /// The maximum number of nodes and gaps of the backbones of an object (core/pose/posed_backbones.hpp).
     std::size_t backbone_nodes() const { return backbone_nodes_; }
     /// The outermost items.
     ItemCursor items() const { return ItemCursor{items_}; }
     /// `number` is less than symbol_count().
     ItemCursor symbol(std::uint32_t number) const;
-    /// What lies in a group or in the symbol that is used; not of a leaf.
+    /// The items in a group or in the symbol that is used; not for a leaf.
     ItemCursor items_in(const ItemView& item) const;
     std::uint32_t symbol_count() const { return symbol_count_; }
     /// `offset` is that of a key.
@@ -178,12 +178,12 @@ public:
     }
     /// All drawings, to which the offsets of keys refer.
     std::span<const std::byte> drawings() const { return drawings_; }
-    /// A place in the scene's bytes as a number: how far it is from their end.
+    /// A position in the scene's bytes as a number: its distance from their end.
     std::uint32_t place_of(const std::byte* byte) const
     {
         return static_cast<std::uint32_t>(drawings_.data() + drawings_.size() - byte);
     }
-    /// What begins there.
+    /// The bytes from there on.
     ByteReader at(std::uint32_t place) const
     {
         return ByteReader{{drawings_.data() + drawings_.size() - place, place}};
@@ -199,7 +199,7 @@ public:
     std::optional<std::uint32_t> input(std::string_view name) const;
     ClipCursor clips() const;
     std::optional<ClipView> clip(std::string_view name) const;
-    /// In the order of their times.
+    /// The events in the order of their times.
     EventCursor events() const;
 
 private:
@@ -244,7 +244,7 @@ private:
     std::span<const std::byte> drawings_;
 };
 
-/// A part of a scene's timeline that is played, and what happens at its ends.
+/// A part of a scene's time that is played, and what happens at its ends.
 struct PlayRange {
     Time begin;
     Time end; ///< later than `begin`; both are within 0 … kfb::max_time

@@ -8,7 +8,7 @@ namespace {
 
 static_assert(kfb::bone::moved.max() == (1 << bone_quantity_count) - 1);
 
-/// In 1/16 px; wraps around rather than overflow.
+/// A length in 1/16 px; wraps around, does not overflow.
 constexpr std::int32_t sixteenths(std::uint32_t length, bool in_pixels)
 {
     return static_cast<std::int32_t>(in_pixels ? length << 4 : length);

@@ -13,7 +13,7 @@
 
 namespace kfast {
 
-/// What poses move of a bone, in the frame of its parent; the values are those of the scene format.
+/// What poses change of a bone, in the frame of its parent; the values are those of the scene format.
 enum class BoneQuantity : std::uint8_t {
     angle,  ///< clockwise from the parent's direction, in 1/65536 turn
     x,      ///< of the origin, in 1/16 px
@@ -23,13 +23,13 @@ enum class BoneQuantity : std::uint8_t {
 
 inline constexpr std::size_t bone_quantity_count = 4;
 
-/// What moves one quantity of a bone: nothing, keys of its own, or the common keys with a value for each.
+/// The keys of one quantity of a bone: none, keys of its own, or the common keys with a value for each.
 class BoneKeys {
 public:
     enum class Kind : std::uint8_t { none, common, own };
 
     BoneKeys() = default;
-    /// Takes `bytes` as far as the keys go. Values are stored as differences from `set_up`.
+    /// Reads the keys from `bytes`. Values are stored as differences from `set_up`.
     static BoneKeys take(ByteReader& bytes, const KeyTimeCursor& common, std::int32_t set_up);
 
     Kind kind() const { return kind_; }
@@ -48,7 +48,7 @@ private:
 struct BoneSetUp {
     std::uint32_t parent = 0;      ///< 0 for a root, else the number of an earlier bone, counted from 1
     bool is_at_tip = false;        ///< the origin moves with the length of the parent
-    bool turns_as_written = false; ///< angles tween as numbers, not by the shortest way
+    bool turns_as_written = false; ///< angles tween as numbers, not by the smallest rotation
     std::uint8_t moved = 0;        ///< a bit for each BoneQuantity that has keys
     std::array<std::int32_t, bone_quantity_count> set_up = {}; ///< by BoneQuantity, in its units
 
@@ -90,7 +90,7 @@ public:
     explicit SkeletonView(ByteReader bytes);
 
     std::uint32_t count() const { return count_; }
-    /// At which several quantities have keys; maybe none.
+    /// The key times that several quantities have in common; maybe none.
     KeyTimeCursor common_key_times() const { return common_; }
     BoneCursor bones() const { return {bones_, count_, common_}; }
 
@@ -112,8 +112,8 @@ public:
         expects(!at_end());
         return SkeletonView{bytes_.take(bytes_.varint())};
     }
-    /// Passes the next skeleton without a look at its keys, which may be many; how many bones it has. Only
-    /// when not at the end.
+    /// Skips the next skeleton without reading its keys, which may be many. Returns the number of its bones.
+    /// Only when not at the end.
     std::uint32_t skip()
     {
         expects(!at_end());
@@ -125,7 +125,7 @@ private:
     ByteReader bytes_;
 };
 
-/// The backbones of an object at one key, and the way from it to the next.
+/// The backbones of an object at one key, and the interval from it to the next.
 struct BackboneKey {
     Time time;
     std::uint32_t laws = 0;    ///< number of the pair of laws
@@ -135,7 +135,7 @@ struct BackboneKey {
 /// Reads the keys of backbones in the order of their times.
 class BackboneKeyCursor {
 public:
-    /// Takes `bytes` as far as the keys go.
+    /// Reads the keys from `bytes`.
     explicit BackboneKeyCursor(ByteReader& bytes);
 
     bool at_end() const { return key_times_.at_end(); }
@@ -150,7 +150,7 @@ private:
     PackedValues drawings_;
 };
 
-/// The backbones that carry an object; borrows the scene's bytes.
+/// The backbones that deform an object; borrows the scene's bytes.
 struct BackbonesView {
     std::uint32_t unit_bits = 0; ///< a segment, and a width, are 2^unit_bits sixteenths of a pixel long
     ByteReader key_bytes;        ///< begins with the keys
@@ -162,22 +162,22 @@ struct BackbonesView {
     }
 };
 
-/// Nodes and gaps for backbones as `drawing` has them: three strokes each.
+/// The number of nodes and gaps for the backbones of `drawing`, three strokes each.
 std::size_t backbone_node_count(PackedDrawing drawing);
 
-/// A bone, and how far a point follows it.
+/// A bone, and how much a point follows it.
 struct BoneInfluence {
     std::uint32_t bone = 0;                        ///< its number in the skeleton
     std::int32_t weight = kfb::skin::whole_weight; ///< in 1/256; those of a point add up to 256
 };
 
-/// The bones that carry a point, one to four; borrows the scene's bytes.
+/// The bones that move a point, one to four; borrows the scene's bytes.
 class Binding {
 public:
     Binding() = default;
     /// One bone alone.
     explicit Binding(std::uint32_t bone) : last_{bone} {}
-    /// Takes `bytes` as far as the bones go.
+    /// Reads `count` bones from `bytes`.
     Binding(ByteReader& bytes, std::uint32_t count);
 
     std::uint32_t count() const { return count_; }
@@ -212,21 +212,21 @@ public:
     SkinReader() = default;
     /// `bytes` begins with the skin and may go on after it.
     explicit SkinReader(ByteReader bytes) : bytes_{bytes}, at_rest_{bytes_.varint()} {}
-    /// One bone carries all points.
+    /// A skin with which one bone moves all points.
     static SkinReader of(std::uint32_t bone);
 
-    /// The drawing at rest has an offset; otherwise the drawing itself is at rest.
+    /// Whether the drawing at rest has an offset; otherwise the drawing itself is at rest.
     bool has_drawing_at_rest() const { return at_rest_ != 0; }
     std::uint32_t drawing_at_rest() const { return at_rest_ - 1; }
 
-    /// There is one more point.
+    /// The binding of the next point; only if there is one more.
     const Binding& next();
     /// What next() returned last.
     const Binding& binding() const { return binding_; }
 
     /// Whether everything that has been read so far was within the bytes.
     bool is_valid() const { return !bytes_.overrun(); }
-    /// No more points belong to the run that was read last.
+    /// Whether no more points belong to the run that was read last.
     bool run_is_over() const { return left_ == 0; }
 
 private:

@@ -77,7 +77,7 @@ KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& defaul
         key_times.time_bits_ + key_times.time_shift_ > int{kfb::key_times::max_time_bits}) {
         bytes.refuse();
         key_times.law_bits_ = key_times.time_bits_ = key_times.time_shift_ =
-            0; // whoever reads on all the same
+            0; // for code that reads on all the same
     }
     if (kfb::key_times::has_input.get(form))
         key_times.driver_ = take_input(bytes);
@@ -135,7 +135,7 @@ TrackView TrackCursor::next()
 namespace {
 
 constexpr int share_bits = 24;
-constexpr int sub_bits = 8; ///< lengths are followed in 1/256 of 1/16 px
+constexpr int sub_bits = 8; ///< lengths are measured in 1/256 of 1/16 px
 
 std::uint32_t total(ByteReader lengths)
 {
@@ -145,7 +145,7 @@ std::uint32_t total(ByteReader lengths)
     return sum;
 }
 
-/// The direction that the curve has at a share of its parameter: that of the last line in de Casteljau's
+/// The direction of the curve at a parameter: that of the last line in de Casteljau's
 /// construction; where it has no extent, at the ends, that of the next control points.
 Point tangent(const Segment& segment, Fraction fraction)
 {

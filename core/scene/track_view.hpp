@@ -31,12 +31,12 @@ constexpr std::uint32_t rate_of(std::uint32_t code)
 /// Reads a pair of velocity laws (docs/format.md, "Laws").
 LawPair read_law_pair(ByteReader& bytes);
 
-/// A moment at which something has a key, on the clock that it goes by, and what governs the way from it to
-/// the next.
+/// The time of a key, by the driver that it goes by, and the number of the pair of laws from it to the next
+/// key.
 struct KeyTime {
     Time time;
     std::uint32_t laws = 0;  ///< number of the pair of laws
-    std::uint32_t index = 0; ///< how many come before
+    std::uint32_t index = 0; ///< the number of key times before it
 };
 
 /// Reads key times in the order of their times (docs/format.md, "Key times").
@@ -46,20 +46,20 @@ public:
     KeyTimeCursor() = default;
     /// A single key time, at 0.
     static KeyTimeCursor one();
-    /// Takes `bytes` as far as the key times go; `default_key_times` if they say so. What breaks off or has a
-    /// form without a meaning is past the end of `bytes`.
+    /// Reads the key times from `bytes`; `default_key_times` if they say so. Key times that are truncated or
+    /// have a form without a meaning are past the end of `bytes`.
     static KeyTimeCursor take(ByteReader& bytes, const KeyTimeCursor& default_key_times);
 
     bool at_end() const { return index_ == count_; }
     /// Only when not at the end, and when no time before was beyond the format's limit.
     KeyTime next();
-    /// As if `last` had just been read.
+    /// Continues as if `last` had just been read.
     void go_on_behind(const KeyTime& last);
     /// Where take() has found them; null of one().
     const std::byte* place() const { return place_; }
-    /// Of all of them.
+    /// The number of all of them.
     std::uint32_t count() const { return count_; }
-    /// What their times count.
+    /// What their times go by.
     Driver driver() const { return driver_; }
 
 private:
@@ -74,7 +74,7 @@ private:
     Driver driver_;
 };
 
-/// One key of a track, and the way from it to the next.
+/// One key of a track, and the interval from it to the next.
 struct TrackKey {
     Time time;
     std::uint32_t laws = 0; ///< number of the pair of laws; 0 in a smooth track
@@ -112,7 +112,7 @@ private:
 struct TrackView {
     Property property = Property::x;
     bool is_fixed = false;
-    bool is_smooth = false; ///< between its keys runs a cubic Hermite curve; not of a fixed track
+    bool is_smooth = false; ///< a cubic Hermite curve through its keys; not of a fixed track
     std::int32_t value = 0; ///< only of a fixed track
     TrackKeyCursor keys;    ///< only of a track that is not fixed
 };
@@ -122,7 +122,7 @@ class TrackCursor {
 public:
     /// No tracks.
     TrackCursor() = default;
-    /// `bytes` begins behind the number of tracks and may go on after the last one.
+    /// `bytes` begins after the number of tracks and may go on after the last one.
     TrackCursor(ByteReader bytes, std::uint32_t count) : bytes_{bytes}, left_{count} {}
 
     bool at_end() const { return left_ == 0; }
@@ -139,22 +139,22 @@ private:
 
 /// What the pivot of an item follows; borrows the scene's bytes.
 struct PathView {
-    bool turns = false;        ///< the item turns as the path does
-    bool is_known = false;     ///< no bit is set without a meaning
+    bool turns = false;        ///< the item rotates as the path does
+    bool is_known = false;     ///< no bit without a meaning is set
     std::uint32_t drawing = 0; ///< offset in the section of drawings: a single stroke
     ByteReader lengths;        ///< of its segments, varints in 1/16 px
 
     static PathView take(ByteReader& bytes);
 };
 
-/// A point on a path, and where the path leads there.
+/// A point on a path, and the direction of the path there.
 struct PathPlace {
     Point at;
     BinaryAngle direction;
 };
 
-/// At a share of the length in 1/2^24; below 0 and above 1 at the ends. The share within a segment is rounded
-/// to 1/65536 (of one as long as 1/16 px is stored, to 1/256), the point to 3/65536 px.
+/// At a fraction of the length in 1/2^24, clamped to 0 … 1. The fraction within a segment is rounded to
+/// 1/65536 (within one that is stored as 1/16 px long, to 1/256), the point to 3/65536 px.
 PathPlace place_on(const PathView& path, PackedDrawing stroke, std::int32_t fraction);
 
 }

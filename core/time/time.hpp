@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// A moment or a length on the timeline of a scene, in 1/1024 frame. Sums and differences do not check their
+/// A time or a duration on the timeline of a scene, in 1/1024 frame. Sums and differences do not check their
 /// range.
 struct Time {
     std::int32_t ticks = 0;
@@ -29,12 +29,12 @@ struct Time {
 
 /// What happens at the end of a scene; the values are those of the scene format.
 enum class Loop : std::uint8_t {
-    once,      ///< stops exactly at the end and holds it
+    once,      ///< stops exactly at the end and stays there
     repeat,    ///< the end looks like the beginning
     ping_pong, ///< runs back and forth, each end shown once a pass
 };
 
-/// The moment of a scene of `length` (at least 1 tick, less than 2^30) that is shown at `time`.
+/// The time of a scene of `length` (at least 1 tick, less than 2^30) that is shown at `time`.
 constexpr Time wrap(Time time, Time length, Loop loop)
 {
     expects(length.ticks >= 1 && length.ticks < 1 << 30);
@@ -46,7 +46,7 @@ constexpr Time wrap(Time time, Time length, Loop loop)
     return {within > length.ticks ? period - within : within};
 }
 
-/// What the moments of keys count: the time of the scene, or where one of its inputs stands.
+/// What the times of keys go by: the time of the scene, or the place of one of its inputs.
 struct Driver {
     std::uint8_t input = 0; ///< 0: the time; else the number of the input, counted from 1
 
@@ -55,20 +55,20 @@ struct Driver {
     friend constexpr auto operator<=>(Driver, Driver) = default;
 };
 
-/// Of the input `number`, 0 … 31, where each has one, the first the lowest.
+/// The bit of the input `number`, 0 … 31; the first input has the lowest bit.
 constexpr std::uint32_t bit_of_input(std::uint32_t number)
 {
     expects(number < 32);
     return std::uint32_t{1} << number;
 }
 
-/// Where an input stands at its greatest value; at its least it stands at 0.
+/// The place of an input at its maximum; at its minimum it is at 0.
 inline constexpr Time whole_input{65536};
 
-/// Where all drivers of a scene stand at once.
+/// The places of all drivers of a scene at one time.
 class SceneTime {
 public:
-    /// `inputs`, from 0 to whole_input each, must outlive the moment. One that is not set is at 0.
+    /// `inputs`, from 0 to whole_input each, must outlive the SceneTime. One that is not set is at 0.
     constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
@@ -84,15 +84,15 @@ private:
     std::span<const Time> inputs_;
 };
 
-/// On which timelines and inputs something depends at a moment: a bit for each. There are as many as there
-/// are, so that several may share a bit: then more is taken to move than does.
+/// On which timelines and inputs something depends at a time: a bit for each. There may be more of them than
+/// bits, so that several have the same bit: then more is taken to move than does.
 struct Dependence {
     std::uint32_t keys = 0;   ///< all of them
-    std::uint32_t tweens = 0; ///< those between two keys that differ: it moves as these go on
+    std::uint32_t tweens = 0; ///< those between two keys that differ: it moves as these progress
 
     static constexpr std::uint32_t bit(std::uint32_t number) { return std::uint32_t{1} << (number % 32); }
 
-    /// `moved` has what came to other keys, or was given a new value, and what went on between its keys.
+    /// `moved` has in `keys` what is at other keys, or was set, and in `tweens` what progressed between keys.
     constexpr bool is_touched_by(const Dependence& moved) const
     {
         return ((keys & moved.keys) | (tweens & moved.tweens)) != 0;

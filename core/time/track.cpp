@@ -10,7 +10,7 @@ ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws)
         return {};
     const auto passed = static_cast<std::uint32_t>((time - from).ticks);
     const auto whole = static_cast<std::uint32_t>((to - from).ticks);
-    // Rounded up to the whole, the share would end a hold too early.
+    // Rounded up to the whole, the fraction would end a hold too early.
     const Fraction fraction = std::min(Fraction::ratio(passed, whole), Fraction{Fraction::one - 1});
     const Progress x = progress(laws.x, fraction);
     return {x, laws.y == laws.x ? x : progress(laws.y, fraction)};
@@ -18,7 +18,7 @@ ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws)
 
 namespace {
 
-/// How far the slope of the line between `a` and `b` leads in the time from `from` to `to`, which lie within.
+/// The rise of the line from `a` to `b` in the time from `from` to `to`, which are within.
 std::int32_t rise(const KeySample& a, const KeySample& b, Time from, Time to)
 {
     const auto part = static_cast<std::uint32_t>((to - from).ticks);

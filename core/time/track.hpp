@@ -14,7 +14,7 @@
 
 namespace kfast {
 
-/// Reads keys, of which there is at least one, in the order of their times.
+/// Reads keys, at least one, in the order of their times.
 template <class C>
 concept KeyReader = std::copyable<C> && requires(C cursor, const C& before)
 {
@@ -26,7 +26,7 @@ concept KeyReader = std::copyable<C> && requires(C cursor, const C& before)
         } -> std::convertible_to<Time>;
 };
 
-/// The two keys around a moment; the same key twice before the first and from the last one on.
+/// The two keys around a time; the same key twice before the first and from the last one on.
 template <class Key>
 struct KeyInterval {
     Key from;
@@ -47,7 +47,7 @@ auto interval_at(Cursor keys, Time time)
     return KeyInterval<decltype(from)>{from, from};
 }
 
-/// The share of the way between two keys, apart for x and y.
+/// The progress from one key to the next, separate for x and y.
 struct ProgressXY {
     Progress x;
     Progress y;
@@ -56,24 +56,24 @@ struct ProgressXY {
     friend constexpr bool operator==(const ProgressXY&, const ProgressXY&) = default;
 };
 
-/// How far the way that leads from the time `from` to the time `to` has come at `time`; nothing of it on and
-/// before `from`, nor if there is no way.
+/// The progress at `time` from a key at `from` to one at `to`; 0 unless `time` is after `from` and before
+/// `to`.
 ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
 
 /// Values of tracks are computed in 1/256 of their unit.
 inline constexpr int fine_bits = 8;
 constexpr std::int32_t to_fine(std::int32_t value) { return value * (1 << fine_bits); }
-/// Rounded to nearest, halves up.
+/// In whole units, rounded to nearest, halves up.
 constexpr std::int32_t from_fine(std::int32_t fine) { return rounded_shift(fine, fine_bits); }
 
-/// A value at a moment; |value| is at most 2^20.
+/// A value at a time; |value| is at most 2^20.
 struct KeySample {
     Time time;
     std::int32_t value = 0;
 };
 
-/// The keys around a moment: it lies at `from` or between `from` and `to`. The one before is `from` again if
-/// there is none, and the one after `to`. All are the same before the first key and from the last one on.
+/// The keys around a time: it is at `from` or between `from` and `to`. `before` is `from` again if there is
+/// no such key, and `after` is `to`. All are the same before the first key and from the last one on.
 struct HermiteSpan {
     KeySample before;
     KeySample from;
@@ -86,11 +86,11 @@ struct HermiteSpan {
 /// at the last key. Exact on a key, else within range / 40000 + 2 / 256 units of the exact value, where range
 /// is the largest difference of the four values.
 ///
-/// The curve leaves the range of the values by at most 8/27 of it: no slope times the time of the way is more
-/// than the range.
+/// The curve leaves the range of the values by at most 8/27 of it: no slope times the time from key to key is
+/// more than the range.
 std::int32_t hermite(const HermiteSpan& span, Time time);
 
-/// A reader of anything that has a `time` and a `value` (KeyReader).
+/// `keys` reads anything that has a `time` and a `value` (KeyReader).
 template <KeyReader Cursor>
 HermiteSpan hermite_span_at(Cursor keys, Time time)
 {
@@ -111,32 +111,32 @@ HermiteSpan hermite_span_at(Cursor keys, Time time)
     return {from, from, from, from};
 }
 
-/// Two values of keys, and how far the way from one to the other has come.
+/// Two values of keys, and the progress from one to the other.
 struct KeySpan {
     std::int32_t from;
     std::int32_t to;
     Progress progress;
 };
 
-/// Which of the two laws of a key governs.
+/// Which of the two laws of a key applies.
 enum class LawAxis : std::uint8_t { x, y };
 
-/// Of a quantity in 1/16 px, in 1/256 of it.
+/// A length from 1/256 of 1/16 px.
 constexpr Fixed fine_pixels(std::int32_t fine)
 {
     return Fixed::from_raw(fine * (Fixed::one >> (4 + fine_bits)));
 }
 
-/// Rounded to nearest, halves up, in 1/256 of the unit of the values.
+/// The value in 1/256 of the unit of the values, rounded to nearest, halves up.
 constexpr std::int32_t fine_value(const KeySpan& key_span)
 {
     return to_fine(key_span.from) +
            multiply(key_span.to - key_span.from, key_span.progress.raw, 16 - fine_bits);
 }
 
-/// One number over time, from key times that a program adds: a smooth curve through all of them, held before
-/// the first and behind the last (core/time/track.hpp). Keeps them in an array of the caller's, which must
-/// outlive it.
+/// One number over time, from keys that a program adds: a smooth curve through all of them (hermite()),
+/// constant before the first and after the last. Keeps them in an array of the caller's, which must outlive
+/// it.
 ///
 ///     std::array<KeySample, 8> keys;
 ///     Track height{keys};
@@ -145,30 +145,30 @@ constexpr std::int32_t fine_value(const KeySpan& key_span)
 ///     const std::int32_t now = height.value_at(Time::frame(7)) >> fine_bits;
 class Track {
 public:
-    /// Begins without key times, whatever `storage` holds.
+    /// Begins without keys, whatever `storage` holds.
     explicit Track(std::span<KeySample> storage) : storage_{storage} {}
 
-    /// In any order; a key time that is there already gets the new value. False, and nothing is changed, if
-    /// the array is full, |value| is more than 2^20, or `time` is 2^30 ticks or more away from 0.
+    /// Keys come in any order; a key at a time that is there already gets the new value. False, and nothing
+    /// changes, if the array is full, |value| is more than 2^20, or `time` is 2^30 ticks or more from 0.
     bool add(Time time, std::int32_t value);
     void clear() { count_ = 0; }
 
     std::size_t count() const { return count_; }
-    /// In the order of their times.
+    /// The keys in the order of their times.
     std::span<const KeySample> keys() const { return storage_.first(count_); }
-    /// Only if there is a key time.
+    /// The time of the first key; only if there is one.
     Time first_time() const
     {
         expects(count_ != 0);
         return storage_.front().time;
     }
-    /// Likewise.
+    /// The time of the last key; only if there is one.
     Time last_time() const
     {
         expects(count_ != 0);
         return storage_[count_ - 1].time;
     }
-    /// In 1/256 of the unit of the values; see hermite(). 0 if there are no key times. Any time is allowed.
+    /// In 1/256 of the unit of the values; see hermite(). 0 if there are no keys. Any time is allowed.
     std::int32_t value_at(Time time) const;
 
 private:

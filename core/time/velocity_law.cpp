@@ -21,7 +21,7 @@ Fraction accelerated_decelerated(Fraction time)
     return {static_cast<std::uint32_t>((sine * sine + (std::uint64_t{1} << 43)) >> 44)};
 }
 
-/// The last step whose share, rounded, has come. n is below 2^16 and so all fits in 32 bits.
+/// The last step whose fraction, rounded, has been reached. n is below 2^16, so all fits in 32 bits.
 Fraction stepped(Fraction time, std::uint32_t n)
 {
     return Fraction::ratio((time.raw * n + (n - 1) / 2) >> 16, n);
@@ -35,7 +35,7 @@ struct Cubic {
     std::int32_t to;
 };
 
-// Rounding down both times keeps the order of the control points: what rises goes on to rise.
+// Rounding down both times keeps the order of the control points: what rises still rises.
 constexpr std::int32_t middle(std::int32_t a, std::int32_t b) { return (a + b) >> 1; }
 
 Cubic first_half(const Cubic& whole)
@@ -63,8 +63,8 @@ constexpr Cubic from_0_to_1(std::int32_t c1, std::int32_t c2)
 }
 
 /// x rises with the parameter, so that the half which holds x = `time` is known from the x in the middle:
-/// de Casteljau's construction needs only sums and shifts, and after twelve halvings a line stands for what
-/// is left. It is less than 0.01 units from the curve in x and 0.03 in y: of the largest second differences,
+/// de Casteljau's construction needs only sums and shifts, and after twelve halvings a line replaces the
+/// rest. It is less than 0.01 units from the curve in x and 0.03 in y: of the largest second differences,
 /// 2 and 7, it is 3/4 over 2^24.
 Progress progress_on(Cubic x, Cubic y, Fraction time)
 {

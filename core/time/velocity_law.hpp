@@ -7,7 +7,7 @@
 
 namespace kfast {
 
-/// How the share of the way between two keys follows from the share u of the time.
+/// How the progress from one key to the next follows from the fraction u of the time.
 struct VelocityLaw {
     /// The values are those of the scene format.
     enum class Kind : std::uint8_t {
@@ -75,13 +75,13 @@ constexpr bool is_valid(const VelocityLaw& law)
     return false;
 }
 
-/// The share of the way at the share `time` of the time; `law` is valid. 0 at 0 and 1 at 1 exactly.
+/// The progress at the fraction `time` of the time; `law` is valid. 0 at 0 and 1 at 1 exactly.
 ///
 /// - constant, hold: exact.
 /// - accelerate, decelerate, accelerate-decelerate: rounded once, within 0.51 units of 1/65536 of the exact
 ///   value; never fall.
-/// - steps: k/n, rounded to nearest, from the share on that is nearest to k/n. So a step is not missed at a
-///   moment whose share has been rounded down.
+/// - steps: k/n, rounded to nearest, from the fraction on that is nearest to k/n. So a step is not missed at
+///   a time whose fraction has been rounded down.
 /// - bezier: within 0.6 units of the exact value at a time that is within 0.1 units of `time`, and so within
 ///   0.6 + 0.1 times the slope. Never falls where y1 and y2 are in 0 … 1. Leaves 0 … 1 as progress_range()
 ///   says.
@@ -92,7 +92,7 @@ struct ProgressRange {
     Progress max = {Progress::one}; ///< or above
 };
 
-/// A bound on the way, from -1.5 … 0 to 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve
+/// Bounds of the progress, -1.5 … 0 and 1 … 2.5. A control point that is d outside of 0 … 1 takes the curve
 /// no further than 3/4 d: the weights of both control points together are 3 s (1 - s).
 constexpr ProgressRange progress_range(const VelocityLaw& law)
 {
@@ -105,8 +105,8 @@ constexpr ProgressRange progress_range(const VelocityLaw& law)
     return {{-below * three_quarters}, {Progress::one + above * three_quarters}};
 }
 
-/// The laws that govern the way from one key to the next: that of x, which also governs what has no axis, and
-/// that of y.
+/// The laws from one key to the next: that of x, which also applies to quantities without an axis, and that
+/// of y.
 struct LawPair {
     VelocityLaw x = {};
     VelocityLaw y = {};

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-/// What a Cortex-M has of its own, at the same addresses in every chip. Names are those of ARM's architecture
-/// manuals.
+/// The registers of a Cortex-M itself, at the same addresses in every chip. Names are those of ARM's
+/// architecture manuals.
 namespace kfast::cortex_m {
 
 // SysTick: a timer of 24 bits that counts down. Writing the current value makes it zero.
@@ -21,7 +21,7 @@ inline constexpr Register nvic_iser0{0xE000'E100};
 
 // The system control block
 inline constexpr Register icsr{0xE000'ED04};
-inline constexpr std::uint32_t icsr_pendstclr = 1 << 25; ///< forgets a SysTick interrupt that waits
+inline constexpr std::uint32_t icsr_pendstclr = 1 << 25; ///< clears a pending SysTick interrupt
 inline constexpr Register cpacr{0xE000'ED88};
 inline constexpr std::uint32_t cpacr_fpu = 0xF << 20; ///< CP10 and CP11: full access
 

@@ -17,7 +17,7 @@ extern std::uint32_t bss_end[];
 extern std::uint32_t stack_top[];
 }
 
-/// The vector table of a Cortex-M, and what runs before main(). Exceptions have the numbers that IPSR tells:
+/// The vector table of a Cortex-M, and what runs before main(). Exceptions have the numbers that IPSR has:
 /// 1 is the reset, 3 a hard fault, 15 SysTick, and 16 + n interrupt n of the chip.
 namespace kfast::cortex_m {
 
@@ -27,20 +27,21 @@ inline constexpr std::size_t reset = 1;
 inline constexpr std::size_t systick = 15;
 constexpr std::size_t interrupt(std::size_t number) { return 16 + number; }
 
-/// What the processor reads at its start and at every exception, of a chip with `interrupts` of its own. It
-/// stands in section .vectors, which the linker script places and keeps:
-/// `[[gnu::section(".vectors"), gnu::used]] constinit const`.
+/// What the processor reads at its start and at every exception, for a chip with `interrupts` of its own. It
+/// is in section .vectors, which the linker script places and keeps:
+/// `[[gnu::section(".vectors"), gnu::used]] constinit const`. A board that sets VTOR must align the table to
+/// a power of two that is no less than its size.
 template <std::size_t interrupts>
 class VectorTable {
 public:
-    /// Every exception but the reset leads to `default_handler`.
+    /// Every exception but the reset goes to `default_handler`.
     constexpr VectorTable(Handler reset_handler, Handler default_handler)
     {
         handlers_.fill(default_handler);
         set(reset, reset_handler);
     }
 
-    /// The same, but that `exception` leads to `handler`.
+    /// The same, except that `exception` goes to `handler`.
     constexpr VectorTable with(std::size_t exception, Handler handler) const
     {
         VectorTable table = *this;
@@ -63,8 +64,8 @@ inline std::uint32_t active_exception()
     return exception;
 }
 
-/// An FPU is off after a reset, and the compiler keeps integers in it as well. Nothing where the program is
-/// compiled for none. First of all in a reset handler.
+/// An FPU is off after a reset, and the compiler keeps integers in it as well. Does nothing if the program is
+/// compiled for none. To be called first in a reset handler.
 [[gnu::always_inline]] inline void switch_fpu_on()
 {
 #ifdef __ARM_FP

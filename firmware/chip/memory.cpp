@@ -1,6 +1,6 @@
 // What the compiler calls for copies and fills, and the library's headers for the length of a text, even
-// without a C library. Copies and fills go in words as far as the places allow it, for a Cortex-M0 reads and
-// writes words at multiples of four alone. Of device images only, compiled with
+// without a C library. Copies and fills go in words as far as the addresses allow it, because a Cortex-M0
+// reads and writes words only at multiples of four. Only for device images, compiled with
 // -fno-tree-loop-distribute-patterns, or these loops would become calls to themselves.
 
 #include "core/pixel/pixel_coding.hpp"
@@ -56,7 +56,7 @@ void copy_words(std::byte*& to, const std::byte*& from, std::size_t& count)
         *reinterpret_cast<Word*>(to) = *reinterpret_cast<const Word*>(from);
 }
 
-/// All bytes of the word are alike.
+/// All bytes of the word are the same.
 [[gnu::noinline]] void set_bytes(std::byte* at, std::size_t count, std::uint32_t word)
 {
     for (; count > 0 && beyond_word(at) != 0; --count)
@@ -66,7 +66,7 @@ void copy_words(std::byte*& to, const std::byte*& from, std::size_t& count)
         *at++ = static_cast<std::byte>(word);
 }
 
-/// From the lower end up: also for overlapping memory, if `to` lies below `from`.
+/// From the lower end up: also for overlapping memory, if `to` is below `from`.
 [[gnu::noinline]] void copy_up(std::byte* to, const std::byte* from, std::size_t count)
 {
     if (lie_alike(to, from)) {

@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-/// A reading of a clock that counts microseconds and wraps after 71 minutes, or a stretch of that time.
+/// A reading of a clock that counts microseconds and wraps after 71 minutes, or a duration.
 struct Microseconds {
     std::uint32_t count = 0;
 
@@ -13,7 +13,7 @@ struct Microseconds {
     friend constexpr Microseconds operator-(Microseconds a, Microseconds b) { return {a.count - b.count}; }
 };
 
-/// Whether `moment` has come at `now`; right while the two are less than 35 minutes apart, also across the
+/// Whether `now` is at or after `moment`; valid while the two are less than 35 minutes apart, also across the
 /// wrap.
 constexpr bool reached(Microseconds now, Microseconds moment) { return (now - moment).count < 0x8000'0000; }
 

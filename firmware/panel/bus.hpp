@@ -21,10 +21,10 @@ concept DisplayBus = requires(B& bus, std::span<const std::byte> bytes) {
     { bus.busy() } -> std::same_as<bool>;
 };
 
-/// A bus that sends memory as 16-bit words, the high byte first: colours need not be stored for the bus.
+/// A bus that sends memory as 16-bit words, the high byte first: colours need not be stored in bus order.
 template <class B>
 concept WordBus = DisplayBus<B> && requires(B& bus, std::span<const std::byte> words) {
-    /// As start_data(). `words` is aligned to 2 and holds whole words, little-endian.
+    /// Like start_data(). `words` is aligned to 2 and holds whole words, little-endian.
     { bus.start_words(words) } -> std::same_as<void>;
 };
 

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// How 16-bit colours lie in memory for this bus: controllers want the high byte first.
+/// How 16-bit colours are stored in memory for this bus: controllers expect the high byte first.
 template <DisplayBus Bus>
 inline constexpr PixelFormat colour_format = WordBus<Bus> ? PixelFormat::rgb565 : PixelFormat::rgb565_be;
 

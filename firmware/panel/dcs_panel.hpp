@@ -14,9 +14,9 @@
 
 namespace kfast {
 
-/// What tells one controller that follows MIPI DCS from the others.
+/// What differs between controllers that follow MIPI DCS.
 struct DcsController {
-    Size memory; ///< pixels that it keeps
+    Size memory; ///< pixels that it stores
     /// Begins with SWRESET, for panels without a reset line, and leaves the controller awake and dark, with
     /// 16 bits a pixel. What PanelSettings says is left to DcsPanel.
     std::span<const StartUpStep> start_up;

@@ -6,8 +6,8 @@
 
 namespace kfast {
 
-/// Register values as found in drivers of round modules; of rows without a comment the maker tells
-/// nothing.
+/// Register values as found in drivers of round modules; rows without a comment are not documented by the
+/// maker.
 inline constexpr auto gc9a01_start_up = std::to_array<StartUpStep>({
     {.command = 0x01, .wait = {120'000}}, // SWRESET
     {0xEF},                               // inter register enable 2

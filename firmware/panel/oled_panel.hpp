@@ -12,13 +12,13 @@
 
 namespace kfast {
 
-/// What OLED controllers are given before the first command: modules without a reset line reset themselves
-/// when the power comes.
+/// The time that OLED controllers get before the first command: modules without a reset line reset themselves
+/// at power-up.
 inline constexpr Microseconds oled_power_rise{10'000};
 
-/// What the drivers of Solomon's OLED controllers have in common. `arguments` is how the controller wants
-/// them. A driver adds begin(), start() and set_brightness(), and where the controller makes its own voltage,
-/// sleep() and wake().
+/// What the drivers of Solomon's OLED controllers have in common. `arguments` says how the controller takes
+/// the arguments of a command. A driver adds begin(), start() and set_brightness(), and where the controller
+/// makes its own voltage, sleep() and wake().
 template <DisplayBus Bus, Controller controller, Arguments arguments>
 class OledPanel {
 public:
@@ -53,7 +53,7 @@ protected:
     {
     }
 
-    /// A command with its arguments, of which the low bytes are sent.
+    /// Sends a command with its arguments, the low byte of each.
     void send(int command, std::integral auto... values)
     {
         send_command<arguments>(bus_, command, values...);
@@ -66,7 +66,7 @@ protected:
         send_start_up<arguments>(bus_, table, pause);
     }
 
-    /// Of the window: `count` columns or rows, whichever `axis` is, from `first` on.
+    /// Sets the window along `axis`, columns or rows: `count` of them from `first` on.
     void select(int axis, int first, int count) { send(axis, first, first + count - 1); }
 
     Bus& bus_;

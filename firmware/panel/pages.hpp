@@ -5,9 +5,9 @@
 
 namespace kfast {
 
-/// From rows of mono1 to pages, as controllers of small OLEDs take them: a byte is eight pixels below each
-/// other, the uppermost in the lowest bit; a page is eight rows, from left to right. Both `rows` and `pages`
-/// hold whole pages of `row_bytes` times 8 columns.
+/// Converts rows of mono1 to pages, as controllers of small OLEDs take them: a byte is eight pixels below
+/// each other, the uppermost in the lowest bit; a page is eight rows, from left to right. Both `rows` and
+/// `pages` hold whole pages of `row_bytes` times 8 columns.
 constexpr void fill_pages(std::span<const std::byte> rows, std::size_t row_bytes, std::span<std::byte> pages)
 {
     const auto turn_block = [row_bytes](const std::byte* row, std::byte* columns) {

@@ -17,10 +17,10 @@ namespace kfast {
 /// A display controller, ready to show rectangles of pixels.
 template <class P>
 concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::span<const std::byte> pixels) {
-    /// How pixels lie in memory and on the bus.
+    /// The format of pixels in memory and on the bus.
     { P::format } -> std::same_as<const PixelFormat&>;
-    /// Places and sizes of areas must be multiples of this, as those of the panel are: panels whose bytes hold
-    /// several pixels. No larger than raster::max_granularity.
+    /// Positions and sizes of areas must be multiples of this, as the panel's size is: for panels whose bytes
+    /// hold several pixels. No larger than raster::max_granularity.
     { P::granularity } -> std::same_as<const Size&>;
     /// What an area costs on the bus besides its pixels, in bytes.
     { P::window_bytes } -> std::same_as<const int&>;
@@ -33,20 +33,20 @@ concept Panel = requires(P& panel, void (&pause)(Microseconds), Rect area, std::
     { panel.busy() } -> std::same_as<bool>;
 };
 
-/// A panel that shows nothing after it has begun, or woken, until it is told to: its memory holds noise then.
+/// A panel that shows nothing after begin() or wake() until light() is called: its memory holds noise then.
 template <class P>
 concept LightedPanel = Panel<P> && requires(P& panel) {
-    /// What was sent is seen from now on. Not while busy().
+    /// Shows what was sent from now on. Not while busy().
     { panel.light() } -> std::same_as<void>;
 };
 
-/// A panel whose light and power can be governed.
+/// A panel whose light and power can be controlled.
 template <class P>
 concept PoweredPanel = Panel<P> && requires(P& panel, void (&pause)(Microseconds), std::uint8_t brightness) {
-    /// Of the light, or of the pixels that shine, as far as the controller governs it. Not while busy().
+    /// Of the light, or of the pixels that shine, as far as the controller controls it. Not while busy().
     { panel.set_brightness(brightness) } -> std::same_as<void>;
-    /// The least power: nothing is shown and start() is not allowed until wake(), after which the whole picture
-    /// is to be sent again; a LightedPanel stays dark. Not while busy().
+    /// Lowest power: nothing is shown and start() is not allowed until wake(), after which the whole picture
+    /// must be sent again; a LightedPanel stays dark. Not while busy().
     { panel.sleep(pause) } -> std::same_as<void>;
     { panel.wake(pause) } -> std::same_as<void>;
 };

@@ -16,7 +16,7 @@
 
 namespace kfast {
 
-/// Null: it does not follow MIPI DCS.
+/// The controller's row; null if it does not follow MIPI DCS.
 template <Controller controller>
 constexpr const DcsController* dcs_controller()
 {
@@ -36,8 +36,8 @@ constexpr std::array<const DcsController*, sizeof...(number)> listed_dcs(std::in
 inline constexpr std::array<const DcsController*, controller_count> dcs_controllers =
     listed_dcs(std::make_index_sequence<controller_count>{});
 
-/// Calls `use.template operator()<P>()`, P being the driver of `controller` on such a bus. One that follows
-/// MIPI DCS is what all others are not, so that the code for their class is there once.
+/// Calls `use.template operator()<P>()`, P being the driver of `controller` on such a bus. Those that follow
+/// MIPI DCS are what is left after all others, so that the code for their class is there once.
 template <DisplayBus Bus, std::size_t first = 0, class Use>
 auto with_driver(Controller controller, Use&& use)
 {
@@ -53,7 +53,7 @@ auto with_driver(Controller controller, Use&& use)
     }
 }
 
-/// The driver `P` of what `settings` describe. `bus` must outlive it.
+/// The driver `P` of the panel that `settings` describe. `bus` must outlive it.
 template <class P, DisplayBus Bus>
 P make_panel(Bus& bus, const PanelSettings& settings)
 {
@@ -64,7 +64,7 @@ P make_panel(Bus& bus, const PanelSettings& settings)
 }
 
 /// Calls `use(panel)` with the driver of the controller that `settings` names: from a controller chosen at
-/// run time to code made for it. The panel lies on the stack, an SSD1306 with a kilobyte of pixels, and ends
+/// run time to code made for it. The panel is on the stack, an SSD1306 with a kilobyte of pixels, and ends
 /// when `use` returns.
 template <DisplayBus Bus, class Use>
 void with_panel(Bus& bus, const PanelSettings& settings, Use&& use)

@@ -11,16 +11,16 @@ struct PicturePlace {
     friend constexpr bool operator==(PicturePlace, PicturePlace) = default;
 };
 
-/// What of a memory is scanned by a controller that can leave out what lies below the glass, and counts from
-/// the last row that it scans when it turns the picture.
+/// The part of a memory that is scanned by a controller that can leave out what is below the glass, and
+/// counts from the last row that it scans when it rotates the picture.
 constexpr Size scanned(const PanelSettings& settings, Size memory)
 {
     return {memory.width, settings.row + settings.glass.height};
 }
 
-/// The addresses that the controller uses when it turns the picture itself: turned likewise, and counted from
-/// whichever corner of its `memory` has become the left upper one. A glass that does not lie in the middle of
-/// the memory therefore begins elsewhere in every rotation.
+/// The addresses that the controller uses when it rotates the picture itself: rotated too, and counted from
+/// whichever corner of its `memory` has become the left upper one. A glass that is not in the middle of the
+/// memory therefore begins elsewhere in every rotation.
 constexpr PicturePlace picture_place(const PanelSettings& settings, Size memory)
 {
     const int left = settings.column;

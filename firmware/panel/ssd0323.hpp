@@ -9,15 +9,15 @@
 
 namespace kfast {
 
-/// As bright as drivers of 128x64 modules let them be.
+/// As bright as drivers of 128x64 modules make them.
 constexpr std::uint8_t ssd0323_contrast(std::uint8_t brightness)
 {
     return static_cast<std::uint8_t>(brightness * 0x70 / 255);
 }
 
-/// Register values as found in drivers of 128x64 modules. What only sibling controllers know (0x23, 0xB0,
-/// 0xB4) is left out. The lowest row of the glass is wired to the first output. To
-/// switch on is left to Ssd0323.
+/// Register values as found in drivers of 128x64 modules. Commands that only sibling controllers know (0x23,
+/// 0xB0, 0xB4) are left out. The lowest row of the glass is wired to the first output. Switching on is left
+/// to OledPanel::light().
 constexpr auto ssd0323_start_up(const PanelSettings& settings)
 {
     const Size memory = facts_of(Controller::ssd0323).memory;
@@ -25,7 +25,7 @@ constexpr auto ssd0323_start_up(const PanelSettings& settings)
     const auto last_row = static_cast<std::uint8_t>(scanned(settings, memory).height - 1);
     const int first_output = upright ? settings.glass.height % memory.height : settings.row;
     const auto offset = static_cast<std::uint8_t>(first_output);
-    // The left pixel is in the high nibble: turned by half, that of the byte at the other end.
+    // The left pixel is in the high nibble: rotated by half, that of the byte at the other end.
     const std::uint8_t remap = upright ? 0x52 : 0x41;
     const std::uint8_t shown = settings.inverted ? 0xA7 : 0xA4;
     return std::to_array<StartUpStep>({
@@ -54,7 +54,7 @@ class Ssd0323 : public OledPanel<Bus, Controller::ssd0323, Arguments::with_comma
     using Oled = OledPanel<Bus, Controller::ssd0323, Arguments::with_command>;
 
 public:
-    /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in an even
+    /// `bus` must outlive the panel. The picture is upright or rotated by half; the glass begins in an even
     /// column.
     Ssd0323(Bus& bus, const PanelSettings& settings) : Oled{bus, settings} {}
 

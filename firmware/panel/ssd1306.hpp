@@ -10,15 +10,15 @@
 
 namespace kfast {
 
-/// How the rows of a glass are wired to the outputs of an SSD1306: long and low ones in sequence, others odd
-/// and even by turns.
+/// How the rows of a glass are wired to the outputs of an SSD1306: long and low ones in sequence, others
+/// alternately odd and even.
 constexpr std::uint8_t ssd1306_row_wiring(Size glass)
 {
     return glass.width > 64 && glass.height <= 32 ? 0x02 : 0x12;
 }
 
-/// Register values as found in drivers of 128x64 modules. What PanelSettings says, and to switch on, is left
-/// to Ssd1306.
+/// Register values as found in drivers of 128x64 modules. What PanelSettings says is left to Ssd1306, and
+/// switching on to OledPanel::light().
 inline constexpr auto ssd1306_start_up = std::to_array<StartUpStep>({
     {0xAE},            // display off
     {0xD5, 1, {0x80}}, // clock
@@ -39,8 +39,8 @@ class Ssd1306 : public OledPanel<Bus, Controller::ssd1306, Arguments::with_comma
     using Oled = OledPanel<Bus, Controller::ssd1306, Arguments::with_command>;
 
 public:
-    /// `bus` must outlive the panel. The picture is upright or turned by half; the glass begins in a row that
-    /// is a multiple of 8.
+    /// `bus` must outlive the panel. The picture is upright or rotated by half; the glass begins in a row
+    /// that is a multiple of 8.
     Ssd1306(Bus& bus, const PanelSettings& settings) : Oled{bus, settings} {}
 
     template <class Pause>
@@ -89,7 +89,7 @@ private:
         send(0xDA, ssd1306_row_wiring(settings_.glass));
     }
 
-    std::array<std::byte, row_bytes(Oled::format, memory.width) * memory.height> pages_{}; ///< on their way
+    std::array<std::byte, row_bytes(Oled::format, memory.width) * memory.height> pages_{}; ///< being sent
 };
 
 template <>

@@ -9,8 +9,8 @@
 
 namespace kfast {
 
-/// Register values as found in drivers of 128x128 modules. What PanelSettings says, and to switch on, is left
-/// to Ssd1351.
+/// Register values as found in drivers of 128x128 modules. What PanelSettings says is left to Ssd1351, and
+/// switching on to OledPanel::light().
 inline constexpr auto ssd1351_start_up = std::to_array<StartUpStep>({
     {0xFD, 1, {0x12}},             // unlock
     {0xFD, 1, {0xB1}},             // unlock what is set below
@@ -50,8 +50,8 @@ public:
 
     void start(Rect area, std::span<const std::byte> pixels)
     {
-        // Columns and rows are the glass's own. Both are sent even if unchanged: 5C alone does not always go
-        // back to where the window begins.
+        // Columns and rows are the glass's own. Both are sent even if unchanged: 5C alone does not always
+        // return to the beginning of the window.
         const bool across = lies_across(settings_.rotation);
         select(across ? 0x75 : 0x15, place_.column + area.x, area.width);
         select(across ? 0x15 : 0x75, place_.row + area.y, area.height);
@@ -71,7 +71,7 @@ private:
 
     int remap() const
     {
-        constexpr int downwards = 0x01; // the next pixel lies in the next row of the glass
+        constexpr int downwards = 0x01; // the next pixel is in the next row of the glass
         constexpr int columns_reversed = 0x02;
         constexpr int red_first = 0x04;
         constexpr int rows_reversed = 0x10; // an upright glass is wired from the last row to the first

@@ -32,7 +32,7 @@ inline constexpr auto st7735_start_up = std::to_array<StartUpStep>({
     {0x13}, // NORON
 });
 
-/// Sitronix ST7735: LCD of up to 132 x 162 pixels. Its backlight is none of its business.
+/// Sitronix ST7735: LCD of up to 132 x 162 pixels. It does not control its backlight.
 inline constexpr DcsController st7735{
     .memory = facts_of(Controller::st7735).memory, .start_up = st7735_start_up, .dims = false};
 

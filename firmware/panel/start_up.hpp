@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// How a controller wants the arguments of its commands.
+/// How a controller takes the arguments of its commands.
 enum class Arguments : std::uint8_t {
     with_command,  ///< like the command, with D/C low
     as_parameters, ///< after it, with D/C high
@@ -31,7 +31,7 @@ void send_command(Bus& bus, std::span<const std::byte> bytes)
     }
 }
 
-/// Likewise; of every number the low byte is sent.
+/// The same with numbers, of which the low byte is sent.
 template <Arguments how, DisplayBus Bus>
 void send_command(Bus& bus, int command, std::integral auto... arguments)
 {

@@ -18,7 +18,7 @@ constexpr std::uint32_t beam_version = 2;
 constexpr std::size_t header_bytes = magic.size() + 2 + 2;
 constexpr std::size_t bytes_around_fields = header_bytes + 4;
 
-// What version 1 knows.
+// What version 1 has.
 constexpr std::size_t panel_version_pins = 8;
 constexpr BusKind last_bus_of_panels = BusKind::parallel_8;
 constexpr ControlAction last_action_of_panels = ControlAction::input;
@@ -41,7 +41,7 @@ public:
     void text(const StoredName& name) { bytes(std::as_bytes(std::span{name.bytes})); }
 };
 
-/// Reads fields one after another and remembers whether each of them meant something.
+/// Reads fields one after another and remembers whether each of them had a meaning.
 class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -157,7 +157,7 @@ BeamProfile read_beam(Reader& reader)
     return beam;
 }
 
-/// What version 1 cannot say.
+/// Whether version 1 cannot hold the settings.
 bool is_about_beam(const BoardSettings& settings)
 {
     const bool has_pin = std::ranges::any_of(std::span{settings.pins}.subspan(panel_version_pins),

@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// The settings as they lie in flash, little-endian:
+/// The settings as they are stored in flash, little-endian:
 ///
 ///     "KFBS"  version u16 (1, or 2)  bytes of the fields u16
 ///     fields: controller, rotation, flags (1 bgr, 2 inverted, 4 tearing effect), brightness: u8 each
@@ -28,7 +28,7 @@ namespace kfast {
 /// Settings that are about no beam are written as version 1, which older firmware reads.
 inline constexpr std::size_t panel_record_fields = 4 + 8 + 2 + 8 + 4 + 24 + 8 * 28;
 inline constexpr std::size_t beam_record_fields = panel_record_fields + 2 + 4 + 2 + 2 + 6 + 2 + 1 + 1 + 4;
-/// Of the longest record.
+/// The size of the longest record.
 inline constexpr std::size_t board_record_bytes = 8 + beam_record_fields + 4;
 
 /// A record as long as its version.
@@ -48,12 +48,12 @@ private:
     std::size_t size_;
 };
 
-/// Any settings, right or wrong.
+/// The record of any settings, valid or not.
 BoardRecord board_record(const BoardSettings& settings);
 
-/// What a record of either version holds; nothing if it is damaged, of another version, or no record, or if a
-/// number in it has no meaning in its version. Pins and sizes may still contradict each other or the chip
-/// (board_rules.hpp). More bytes may follow.
+/// The settings in a record of either version; nothing if it is damaged, of another version, or no record, or
+/// if a number in it has no meaning in its version. Pins and sizes may still contradict each other or the
+/// chip (board_rules.hpp). More bytes may follow.
 std::optional<BoardSettings> read_board_record(std::span<const std::byte> bytes);
 
 }

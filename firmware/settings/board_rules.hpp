@@ -39,8 +39,8 @@ struct ClockRange {
     std::uint32_t max;
 };
 
-/// What a Pico can make, and no less than displays bear: 66 ns are the shortest write cycle of all parallel
-/// ones, and an MCP4922 takes 20 MHz. Slowest: what the dividers of the units hold
+/// The clocks that a Pico can make, up to what displays take: 66 ns are the shortest write cycle of all
+/// parallel ones, and an MCP4922 takes 20 MHz. The slowest is the limit of the units' dividers
 /// (boards/pico/panel/bus_rates.hpp).
 constexpr ClockRange clock_range(BusKind bus)
 {
@@ -107,7 +107,7 @@ constexpr MaybeMistake glass_beyond_memory(const BoardSettings& settings)
     return SettingsMistake{SettingsFault::glass_beyond_memory};
 }
 
-/// The pixels that lie in one byte of a controller's memory, or in one word of colours.
+/// The pixels in one byte of a controller's memory, or in one word of colours.
 constexpr Size addressed_pixels(PixelFormat format)
 {
     if (format == PixelFormat::mono1)

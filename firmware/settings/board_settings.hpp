@@ -16,8 +16,8 @@ enum class BusKind : std::uint8_t {
     spi,
     i2c,
     parallel_8,
-    dac, ///< to the two converters that lead a beam, each word by SPI: an MCP4922 or one that is spoken to
-         ///< alike
+    dac, ///< to the two converters that move a beam, each word by SPI: an MCP4922 or one with the same
+         ///< protocol
 };
 
 /// In the order of BusKind.
@@ -34,8 +34,8 @@ enum class PinRole : std::uint8_t {
     dc,        ///< D/C, RS of a parallel bus
     reset,     ///< of the display
     backlight, ///< lit when high, dimmed by pulses
-    tearing,   ///< TE: the display tells that it has shown a picture
-    log,       ///< the board tells what it does, for a serial terminal at 115200 baud
+    tearing,   ///< TE: the display signals that it has shown a picture
+    log,       ///< the board reports what it does, for a serial terminal at 115200 baud
     ldac,      ///< LDAC: both converters take over what they were sent
     blank,     ///< the beam is dark when high
 };
@@ -53,7 +53,7 @@ inline constexpr Pin no_pin = 0xFF;
 inline constexpr std::size_t longest_stored_name = 24;
 using StoredName = StoredText<longest_stored_name>;
 
-/// What somebody touches. Stored.
+/// What people operate. Stored.
 enum class ControlKind : std::uint8_t {
     none,
     button, ///< a switch from the pin to ground
@@ -63,12 +63,12 @@ enum class ControlKind : std::uint8_t {
 /// What a control does. Stored.
 enum class ControlAction : std::uint8_t {
     play,  ///< button: plays the clip from its beginning, and what was played before when it has finished
-    pause, ///< button: stands still, and goes on
+    pause, ///< button: stops playing, and continues
     sleep, ///< button: switches the display off, and on
-    place, ///< knob: where in the clip, or in the whole scene, playing stands
-    speed, ///< knob: from backwards to twice as fast, the middle standing still
+    place, ///< knob: where playing is in the clip, or in the whole scene
+    speed, ///< knob: from backwards to twice as fast, stopped in the middle
     brightness, ///< knob: of the display
-    input, ///< knob: where an input of the scene stands; button: at its most while pressed, else its least
+    input, ///< knob: the place of an input of the scene; button: its maximum while pressed, else its minimum
     arm,   ///< button: lets a dangerous beam shine, and makes it dark again
 };
 
@@ -105,8 +105,8 @@ struct Control {
     friend constexpr bool operator==(const Control&, const Control&) = default;
 };
 
-/// Everything about one gadget that its firmware does not know by itself: the display, the wires, what can be
-/// touched. It lies in a sector of flash (board_record.hpp), so that nobody needs a compiler to move a wire.
+/// Everything about one gadget that its firmware does not know by itself: the display, the wires, the
+/// controls. It is in a sector of flash (board_record.hpp), so that nobody needs a compiler to move a wire.
 struct BoardSettings {
     static constexpr std::size_t max_controls = 8;
 
@@ -118,7 +118,7 @@ struct BoardSettings {
     std::uint32_t bus_clock = 0;
     std::uint8_t i2c_address = 0x3C;                         ///< seven bits
     std::array<Pin, pin_role_names.size()> pins = no_pins(); ///< in the order of PinRole
-    StoredName clip;                                         ///< played when nothing is touched; empty: all
+    StoredName clip;                                         ///< played when no control is used; empty: all
     std::array<Control, max_controls> controls{};
 
     constexpr Pin pin(PinRole role) const { return pins[static_cast<std::size_t>(role)]; }

@@ -15,14 +15,14 @@ namespace kfast {
 /// What one must know of a display controller before anything is sent to it.
 struct ControllerFacts {
     PanelSettings default_value; ///< the module that most people have
-    Size memory;                 ///< pixels that it keeps; a glass lies within
-    bool turns_across;           ///< whether it can turn pictures by quarters; all can turn them by halves
-    PixelFormat format;   ///< of the picture; 16-bit colours are rgb565 or rgb565_be as the bus likes them
-    Size granularity;     ///< places and sizes of areas are multiples of it
+    Size memory;                 ///< pixels that it stores; a glass is within
+    bool turns_across;           ///< whether it can rotate pictures by quarters; all can by halves
+    PixelFormat format;   ///< of the picture; 16-bit colours are rgb565 or rgb565_be as the bus needs them
+    Size granularity;     ///< positions and sizes of areas are multiples of it
     int window_bytes;     ///< what an area costs on the bus besides its pixels
     std::uint32_t spi_hz; ///< the fastest clock that the maker allows for writing, bits a second
-    std::uint32_t parallel_hz; ///< likewise, writes a second; 0: no parallel bus is supported
-    std::uint32_t i2c_hz;      ///< likewise; 0: none
+    std::uint32_t parallel_hz; ///< of a parallel bus, writes a second; 0: none is supported
+    std::uint32_t i2c_hz;      ///< of I²C; 0: none is supported
 
     constexpr bool takes(BusKind bus) const
     {
@@ -37,11 +37,11 @@ inline constexpr int dcs_window_bytes = 5 + 5 + 1;
 enum class ModuleKind : std::uint8_t {
     lcd,         ///< with a backlight that has a pin
     colour_oled, ///< whose pixels shine
-    mono_oled,   ///< likewise, in one colour
+    mono_oled,   ///< whose pixels shine in one colour
 };
 
-/// A controller, as far as it is known before anything is sent to it. Of a row, a device has the name and the
-/// facts.
+/// A controller, as far as it is known before anything is sent to it. A device has only the name and the
+/// facts of a row.
 struct ControllerRow {
     std::string_view name;
     ModuleKind module;
@@ -96,7 +96,7 @@ inline constexpr std::array<ControllerRow, controller_count> controller_rows{
                             .i2c_hz = 0}},
     ControllerRow{.name = "gc9a01",
                   .module = ModuleKind::lcd,
-                  .is_rated = false, // spi_hz is as others tell: the maker's table was not at hand
+                  .is_rated = false, // spi_hz is from other sources: the maker's table was not at hand
                   .facts = {.default_value = {.controller = Controller::gc9a01,
                                               .glass = {240, 240},
                                               .bgr = true,

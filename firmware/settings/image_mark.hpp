@@ -9,11 +9,11 @@
 
 namespace kfast {
 
-/// What a firmware image tells about itself, so that it need not meet settings that it cannot work with.
-/// Stored; it lies `place` bytes after the beginning of a .bin, and behind it, put there by the linker, how
-/// many bytes the .bin has: u32.
+/// What a firmware image says about itself, so that it is not combined with settings that it cannot work
+/// with. Stored; it is `place` bytes after the beginning of a .bin, and after it, put there by the linker, is
+/// the size of the .bin in bytes: u32.
 struct ImageMark {
-    static constexpr std::size_t place = 0x1A8; ///< of the Pico: behind boot block and vectors
+    static constexpr std::size_t place = 0x1A8; ///< of the Pico: after boot block and vectors
     static constexpr std::size_t length_place = place + 8;
     static constexpr std::string_view its_magic = "KFPI";
 

@@ -2,19 +2,19 @@
 
 #include <cstdint>
 
-/// How an RP2040 at its usual clock paces the points of a beam and tells each to an MCP4922: two words of 16
-/// bits, and a pulse on LDAC that both its converters take over at.
+/// How an RP2040 at its default clock paces the points of a beam and sends each to an MCP4922: two words of
+/// 16 bits, and a pulse on LDAC at which both its converters take over.
 ///
-/// The figures that bind it are those of the data sheet (Microchip DS22250A, page 7): clock high and low for
+/// The limits are those of the data sheet (Microchip DS22250A, page 7): clock high and low for
 /// 15 ns each, no faster than 20 MHz, and low for 40 ns before CS falls; CS high for 15 ns; LDAC 40 ns after
 /// CS, low for 100 ns.
 namespace kfast::rp2040 {
 
-/// Of the processor and the state machines, Hz.
+/// The clock of the processor and the state machines, Hz.
 inline constexpr std::uint32_t default_hz = 125'000'000;
 
-/// One bit on the way to the converters, in cycles of the state machine, each of which takes `divisor` cycles
-/// of the chip.
+/// One bit sent to the converters, in cycles of the state machine, each of which takes `divisor` cycles of
+/// the chip.
 struct DacBit {
     static constexpr std::uint32_t longest = 32; ///< what the delays of two instructions hold
 
@@ -26,7 +26,7 @@ struct DacBit {
     constexpr std::uint32_t hz() const { return default_hz / (divisor * cycles()); }
 };
 
-/// The next one that is no faster than `hz`, which lies within clock_range(BusKind::dac).
+/// The next one that is no faster than `hz`, which is within clock_range(BusKind::dac).
 constexpr DacBit dac_bit(std::uint32_t hz)
 {
     const std::uint32_t chip_cycles = (default_hz + hz - 1) / hz;

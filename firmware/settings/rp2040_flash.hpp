@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// How the 2 MiB of flash of a Raspberry Pi Pico are divided behind the sector of its settings
+/// How the 2 MiB of flash of a Raspberry Pi Pico are divided after the sector of its settings
 /// (docs/link.md).
 namespace kfast::rp2040 {
 

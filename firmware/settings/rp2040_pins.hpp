@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// What the pins of an RP2040 can do, and where a Raspberry Pi Pico has them. Everything repeats along the
-/// chip, so that a pin's number tells what it carries. A unit is 0 or 1: SPI0 or SPI1, and so on.
+/// chip, so that a pin's number says what it carries. A unit is 0 or 1: SPI0 or SPI1, and so on.
 namespace kfast::rp2040 {
 
 inline constexpr Pin pin_count = 30;
@@ -19,7 +19,7 @@ constexpr std::optional<int> spi_clock_unit(Pin pin)
     return pin < pin_count && pin % 4 == 2 ? std::optional{pin / 8 % 2} : std::nullopt;
 }
 
-/// The unit that can send its data (TX, a display's MOSI) by the pin.
+/// The unit that can send its data (TX, a display's MOSI) on the pin.
 constexpr std::optional<int> spi_data_unit(Pin pin)
 {
     return pin < pin_count && pin % 4 == 3 ? std::optional{pin / 8 % 2} : std::nullopt;
@@ -35,7 +35,7 @@ constexpr std::optional<int> i2c_data_unit(Pin pin)
     return pin < pin_count && pin % 2 == 0 ? std::optional{pin / 2 % 2} : std::nullopt;
 }
 
-/// The unit that can send (TX) by the pin.
+/// The unit that can send (TX) on the pin.
 constexpr std::optional<int> uart_unit(Pin pin)
 {
     return pin < pin_count && pin % 4 == 0 ? std::optional{(pin + 4) / 8 % 2} : std::nullopt;
@@ -78,7 +78,7 @@ inline constexpr std::array<std::string_view, pin_count> pin_names{
     "GP20", "GP21", "GP22", "GP23", "GP24", "GP25", "GP26", "GP27", "GP28", "GP29",
 };
 
-/// What the chip's maker calls the other end of a role's wire; empty where any pin will do. `bus` tells what
+/// What the chip's maker calls the other end of a role's wire; empty where any pin will do. `bus` says what
 /// clock and data are.
 constexpr std::string_view function_name(PinRole role, BusKind bus, Pin pin)
 {

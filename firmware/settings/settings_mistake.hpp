@@ -14,15 +14,15 @@ namespace kfast {
 /// What can be wrong with settings for a Pico, in the order in which it is looked for.
 enum class SettingsFault : std::uint8_t {
     bus_not_taken,       ///< the controller does not speak this bus
-    glass_beyond_memory, ///< the glass is empty, or does not lie within the controller's memory
-    glass_ragged,        ///< sides or place of the glass are no multiples of what the controller can address
-    rotation_not_done,   ///< the controller cannot turn pictures by quarters
+    glass_beyond_memory, ///< the glass is empty, or is not within the controller's memory
+    glass_ragged,        ///< sides or position of the glass are no multiples of what can be addressed
+    rotation_not_done,   ///< the controller cannot rotate pictures by quarters
     clock_too_fast,      ///< for the chip, or for every display on this bus
     clock_too_slow,      ///< 0, or less than the chip can divide down to
     address_reserved,    ///< the bus keeps this I²C address for itself, or it has more than seven bits
     pin_missing,         ///< of a role that the display or the bus needs, or of a control
     pin_not_on_board,    ///< the chip has no such pin, or the board keeps it for itself
-    pin_shared,          ///< two on one pin
+    pin_shared,          ///< two uses of one pin
     function_missing,    ///< the pin does not carry what the role needs
     units_differ,        ///< clock and data belong to different units of the chip
     converter_missing,   ///< a knob on a pin that cannot measure
@@ -60,7 +60,7 @@ constexpr std::string_view settings_fault_text(SettingsFault fault)
     return settings_fault_texts[static_cast<std::size_t>(fault)];
 }
 
-/// Somebody who needs a pin: a role, or one of the controls.
+/// What needs a pin: a role, or one of the controls.
 class PinUser {
 public:
     static constexpr std::size_t count = pin_role_names.size() + BoardSettings::max_controls;
@@ -71,13 +71,13 @@ public:
     static constexpr PinUser number(std::size_t number) { return PinUser{number}; }
 
     constexpr bool is_control() const { return number_ >= pin_role_names.size(); }
-    /// Only if it is no control.
+    /// Its role; only if it is no control.
     constexpr PinRole role() const
     {
         expects(!is_control());
         return static_cast<PinRole>(number_);
     }
-    /// In BoardSettings::controls. Only if it is a control.
+    /// Its index in BoardSettings::controls. Only if it is a control.
     constexpr std::size_t control() const
     {
         expects(is_control());
@@ -92,11 +92,11 @@ private:
     std::size_t number_;
 };
 
-/// A rule broken, and by whom.
+/// A broken rule, and what breaks it.
 struct SettingsMistake {
     SettingsFault fault;
     std::optional<PinUser> user = std::nullopt;  ///< of faults that concern a pin or a control
-    std::optional<PinUser> other = std::nullopt; ///< of pin_shared and units_differ: whom it collides with
+    std::optional<PinUser> other = std::nullopt; ///< of pin_shared and units_differ: what it collides with
 
     friend constexpr bool operator==(const SettingsMistake&, const SettingsMistake&) = default;
 };

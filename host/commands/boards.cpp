@@ -33,7 +33,7 @@ std::string buses_of(const ControllerFacts& facts)
     return buses;
 }
 
-/// What the driver of this name reports; fit knows displays that have none.
+/// What the driver of this name reports; fit has displays without a driver.
 ListedPanel panel_called(std::string_view name)
 {
     const auto choices = panel_choices();

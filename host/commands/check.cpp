@@ -42,7 +42,7 @@ std::string content_of(const std::string& path, const CheckOptions& options)
     return content.empty() ? throw Failure(options.name + ": nothing came from standard input") : content;
 }
 
-/// Of objects in a scene text that nobody ever sees.
+/// Warns of objects in a scene text that are never seen.
 void warn_of_unseen(const SceneFile& scene, Diagnostics& diagnostics)
 {
     if (scene.item_places.empty())
@@ -88,7 +88,7 @@ void check_as_text(const CheckOptions& options)
         fail_of_several(wrong, options.paths.size());
 }
 
-/// Losses are told in the list, whether they are allowed or not.
+/// Losses are listed, whether they are allowed or not.
 CheckedFile checked(const std::string& path, const CheckOptions& options)
 {
     CheckedFile file{.name = name_of(path, options), .text = {}};

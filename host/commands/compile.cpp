@@ -27,7 +27,7 @@ struct CompileOptions {
     bool quiet = false;
 };
 
-/// What other commands make of a scene.
+/// The files that other commands make from a scene.
 struct OtherOutput {
     std::string_view endings;
     std::string_view hint;
@@ -41,7 +41,7 @@ constexpr std::array other_outputs{
     OtherOutput{" .wav ", "for a sound: kfast export --wav"},
 };
 
-/// By another ending it would be a compiled scene that nobody takes for one.
+/// With another ending nothing would recognize the file as a compiled scene.
 void require_scene_name(const CompileOptions& options)
 {
     std::string ending = ' ' + fs::path{options.output}.extension().string() + ' ';

@@ -42,7 +42,7 @@ SettingsBytes as_uf2(const BoardSettings& settings)
     return uf2_of(regions);
 }
 
-/// What a file is called tells what is written into it.
+/// The ending of a file's name determines what is written into it.
 struct OutputForm {
     const char* suffix;
     const char* noun;
@@ -96,7 +96,7 @@ void run(const ConfigOptions& options)
         throw CLI::RequiredError("INPUT (kfast config --list tells what there is ready)");
     const bool is_printed = options.output.empty() || options.output == "-";
     if (!is_printed)
-        static_cast<void>(form_of(options.output)); // before anything is said about the input
+        static_cast<void>(form_of(options.output)); // before anything is reported about the input
     const BoardSettings settings = config::chosen_settings(options.input);
     if (is_printed)
         std::cout << config::config_text(settings);

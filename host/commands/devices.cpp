@@ -22,7 +22,7 @@ struct DevicesOptions {
     bool udev_rule = false;
 };
 
-/// All that a device tells of itself.
+/// All that a device reports about itself.
 struct DeviceFacts {
     std::string name;
     link::Capabilities capabilities;
@@ -84,7 +84,7 @@ void print_text(const DeviceFacts& facts)
               << statistics.skipped << " left out\n";
 }
 
-/// Those that are asked for, or else all that are attached.
+/// The devices that are named, or else all that are attached.
 std::vector<DeviceAddress> addresses_of(const DeviceOptions& options)
 {
     const std::vector<std::string> all{"all"};
@@ -92,7 +92,7 @@ std::vector<DeviceAddress> addresses_of(const DeviceOptions& options)
     return chosen_addresses(names, attached_for(names));
 }
 
-/// One that cannot be asked does not keep the others from being listed.
+/// A device that does not answer does not keep the others from being listed.
 void list(const DevicesOptions& options)
 {
     const RememberedInterruption interruption;

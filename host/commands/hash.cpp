@@ -33,7 +33,7 @@ template <class Source>
 void print_hashes(Source& source, const Timeline& timeline)
 {
     WorkBar bar{"drawing"};
-    const bool is_seen = ::isatty(STDOUT_FILENO) == 1; // the lines themselves tell how far it has come
+    const bool is_seen = ::isatty(STDOUT_FILENO) == 1; // the lines themselves show the progress
     const int count = timeline.frame_count();
     for (int frame = 0; frame < count; ++frame) {
         if (!is_seen)

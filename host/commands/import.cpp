@@ -100,7 +100,7 @@ void require_all(const ImportOptions& options, const art::Losses& losses)
                   importing::loss_list(losses, length));
 }
 
-/// A text that has been changed since it was imported must not be lost to a name that nobody has written.
+/// A text that has been changed since it was imported must not be overwritten because of a default name.
 fs::path scene_beside(const std::string& input, const std::string& text)
 {
     fs::path path = fs::path{input}.replace_extension(".kfast");

@@ -38,7 +38,7 @@ struct InfoOptions {
     PictureOptions picture;
 };
 
-/// As an author writes them.
+/// The keys as an author writes them.
 Json keys_of(const SceneView& scene, Driver clock = {})
 {
     Json keys = Json::array();
@@ -176,7 +176,7 @@ std::string size_text(const Json& size)
     return size_text(Size{size["width"].get<int>(), size["height"].get<int>()});
 }
 
-/// `at` is what stands in front of the first: ", at frames ".
+/// `at` is what comes before the first: ", at frames ".
 std::string key_text(const Json& keys, const char* at)
 {
     std::ostringstream text;
@@ -233,13 +233,13 @@ void print_event(const Json& event)
               << event["at"].get<double>() << '\n';
 }
 
-/// Behind the number of objects.
+/// The text after the number of objects.
 std::string wire_text(std::size_t wire_frames)
 {
     return wire_frames == 0 ? "" : ", " + counted(wire_frames, "wire frame") + " among them";
 }
 
-/// Behind the length.
+/// The text after the length.
 std::string end_text(const SceneView& scene)
 {
     const Timeline timeline = timeline_of(scene);
@@ -248,7 +248,7 @@ std::string end_text(const SceneView& scene)
                : ", and then its end: " + std::to_string(timeline.frame_count()) + " pictures";
 }
 
-/// Behind the memory.
+/// The text after the memory.
 std::string detail_text(const Json& memory)
 {
     const auto coarse = memory["coarse_pictures"].get<std::size_t>();

@@ -31,7 +31,7 @@ void require_permission(const std::filesystem::path& folder)
                   ExitStatus::no_permission};
 }
 
-/// udev may be told later as well, so it is no failure if it is not.
+/// udev may also be notified later, so it is no failure if that does not work.
 void let_udev_heed_them()
 {
     std::cout.flush();

@@ -72,7 +72,7 @@ std::vector<LiveInput> live_inputs(const SceneView& scene)
     return inputs;
 }
 
-/// Of what it plays. It is asked, so values that make no sense are possible.
+/// The inputs of what it plays. The device answers, so values that make no sense are possible.
 std::vector<LiveInput> live_inputs(RemoteDevice& device)
 {
     Session& session = device.session();

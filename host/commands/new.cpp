@@ -107,7 +107,7 @@ std::string template_json(std::span<const SceneTemplate> templates)
 
 /// Returns a picture of each template, 18 pixels a side, with its name below: half blocks in the colours of
 /// the terminal that standard output is, as many side by side as it is wide. Each picture is that of the
-/// moment half way through the scene.
+/// time half way through the scene.
 std::string template_pictures(std::span<const SceneTemplate> templates)
 {
     const int room = terminal_size().width + thumbnail_gap;

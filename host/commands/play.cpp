@@ -34,7 +34,7 @@ link::Name clip_name(const PlayCommandOptions& options)
     return {name};
 }
 
-/// Of a scene that is there already.
+/// The home of a scene that is there already.
 link::Home home_of(const PlayCommandOptions& options)
 {
     if (options.slot)
@@ -46,7 +46,7 @@ link::Home home_of(const PlayCommandOptions& options)
 
 SentScene sent(const PlayCommandOptions& options, std::span<RemoteDevice> devices, const SceneFile& scene)
 {
-    static_cast<void>(chosen_timeline(options.play, scene.view)); // a clip that it has not is refused here
+    static_cast<void>(chosen_timeline(options.play, scene.view)); // an unknown clip is refused here
     return {scene, devices, options.device};
 }
 

@@ -95,7 +95,7 @@ void preview_in_terminal(const PreviewOptions& options, PreviewOpener& opener,
     play_in_terminal(viewer, keyboard);
 }
 
-/// By somebody who may mend the scene meanwhile.
+/// Whether somebody watches who may correct the scene meanwhile.
 bool is_watched(const PreviewOptions& options)
 {
     if (options.headless || options.loops)

@@ -37,7 +37,7 @@ struct SimulateOptions {
     bool frames = false;
 };
 
-/// Where programs keep what they would miss, after the XDG base directory specification.
+/// Where programs keep their state, by the XDG base directory specification.
 fs::path state_folder()
 {
     if (const char* const state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
@@ -58,7 +58,7 @@ fs::path default_flash()
     return folder / "sim-flash.bin";
 }
 
-/// A validator of CLI11: empty if it is right, else what is wrong.
+/// A validator of CLI11: empty if it is valid, else what is wrong.
 std::string is_serial(const std::string& text)
 {
     constexpr std::size_t max = 24;
@@ -92,7 +92,7 @@ BoardSettings settings_of(const SimulateOptions& options)
         throw Failure(options.config +
                       ": these settings lead a beam, and the simulated board has a panel: see "
                       "the scene with kfast preview --beam");
-    settings.controls = {}; // nobody can touch them
+    settings.controls = {}; // they cannot be operated
     return settings;
 }
 

@@ -10,7 +10,7 @@
 
 #include <iostream>
 
-/// Small orders to what plays: a command each.
+/// Simple commands for what plays.
 namespace kfast {
 namespace {
 
@@ -19,7 +19,7 @@ struct SteerOptions {
     DeviceOptions device;
 };
 
-/// Gives the order to all devices at once, and says what they play then.
+/// Sends the message to all devices at once, and prints what they play then.
 template <class Message>
 void order(const Message& message, const DeviceOptions& options)
 {
@@ -71,7 +71,7 @@ void set_brightness(const SteerOptions& options)
     order(link::Brightness{read_brightness("BRIGHTNESS", options.text)}, options.device);
 }
 
-/// It does not play any more then, so it cannot be asked what it plays.
+/// Then it does not play any more, so it cannot report what it plays.
 void boot(const SteerOptions& options)
 {
     OpenDevices devices{options.device};

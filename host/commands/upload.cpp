@@ -59,7 +59,7 @@ public:
                 device.session().order(link::ChooseSlot{slot}, patience_with_flash);
         });
     }
-    /// When all have the scene.
+    /// To be called when all have the scene.
     void play()
     {
         on_each(devices_, [&](RemoteDevice& device, std::size_t index) {
@@ -102,7 +102,7 @@ private:
 
 void upload(const UploadOptions& options)
 {
-    static_cast<void>(chosen_name(options)); // before anything is said about the scene
+    static_cast<void>(chosen_name(options)); // before anything is reported about the scene
     const SceneFile scene = load_scene(options.file);
     OpenDevices devices{options.device};
     SceneInSlots slots{options, devices.all()};

@@ -41,7 +41,7 @@ BoardSettings from_text(const SourceText& source)
 
 BoardSettings from_configuration(const Configuration& configuration)
 {
-    Diagnostics unheard; // a clock that many use is no news to who chose the configuration
+    Diagnostics unheard; // a warning of a clock that many use would not help who chose the configuration
     return *read_config({std::string{configuration.name}, std::string{configuration.text}}, unheard);
 }
 
@@ -96,7 +96,7 @@ std::vector<FlashRegion> uf2_regions(const std::string& name, Bytes file)
     }
 }
 
-/// What a UF2 file writes from the place of the settings on; empty if it leaves them alone.
+/// What a UF2 file writes from the address of the settings on; empty if it does not write them.
 std::vector<std::byte> settings_in_uf2(const std::string& name, Bytes file)
 {
     for (const FlashRegion& region : uf2_regions(name, file)) {
@@ -124,7 +124,7 @@ BoardSettings from_bytes(const std::string& name, Bytes bytes)
     return from_flash(name, bytes.size() > settings_offset ? bytes.subspan(settings_offset) : Bytes{});
 }
 
-/// Erased flash is 0xFF, which UTF-8 has not.
+/// Erased flash is 0xFF, which does not occur in UTF-8.
 bool is_text(std::string_view content)
 {
     return content.find_first_of(std::string_view{"\0\xFF", 2}) == content.npos &&

@@ -43,7 +43,7 @@ constexpr NodeForm board_form{"board", "board pico { panel …; bus …; pins �
 /// Which pins there are, and what they can do.
 constexpr std::array chips{Word<bool>{"pico", true}};
 
-/// What may be left out, and follows from the rest.
+/// Fills in what may be left out, and follows from the rest.
 void complete(Draft& draft)
 {
     BoardSettings& settings = draft.settings;
@@ -162,7 +162,7 @@ constexpr std::string_view note = "\n    // ";
 
 std::string flag_text(bool flag) { return flag ? "#true" : "#false"; }
 
-/// The shortest share of one that stands for it: three decimals tell all 256 apart.
+/// The shortest fraction that represents it: three decimals distinguish all 256.
 std::string brightness_text(std::uint8_t brightness)
 {
     constexpr double full = 255;

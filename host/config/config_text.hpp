@@ -15,7 +15,7 @@ namespace kfast::config {
 std::optional<BoardSettings> read_config(const SourceText& source, Diagnostics& diagnostics);
 
 /// Settings as a text that read_config() reads as the same ones, if they keep the rules: every field is
-/// there, with comments. The controls come without gaps. What the rules forbid is written as it is.
+/// there, with comments. The controls are written without gaps. What the rules forbid is written as it is.
 std::string config_text(const BoardSettings& settings);
 
 }

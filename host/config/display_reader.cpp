@@ -81,7 +81,7 @@ constexpr std::array panel_rules{
     PropertyRule<Draft>{"tearing", read_tearing},
 };
 
-/// Another glass than the usual one begins somewhere else, which only its seller knows.
+/// Another glass than the default one begins somewhere else, which only its seller knows.
 bool read_glass(const kdl::Node& node, PanelSettings& panel, Report& report)
 {
     if (node.arguments.size() == 1)
@@ -127,7 +127,7 @@ namespace {
 using schema::assign, schema::PropertyRule, schema::Range, schema::Report;
 
 constexpr Range clocks{1, 1e9};
-constexpr Range bytes{0, 0xFF}; // the panel_rules know which addresses there are
+constexpr Range bytes{0, 0xFF}; // the panel_rules check which addresses there are
 
 constexpr std::array bus_words = named_words<BusKind>(bus_names);
 

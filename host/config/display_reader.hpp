@@ -21,13 +21,13 @@ constexpr std::array<schema::Word<E>, count> named_words(const std::array<std::s
 }
 
 /// `panel st7789`, `panel st7789 135 240 column=52 row=40 …`: what is not given is as in the controller's
-/// usual module. Whether it was good; reports what is wrong.
+/// default module. Whether it was valid; reports what is wrong.
 bool read_panel(const kdl::Node& node, Draft& draft, schema::Report& report);
 
-/// `bus spi clock=(MHz)62.5`, `bus i2c address=0x3D`. Whether it was good; reports what is wrong.
+/// `bus spi clock=(MHz)62.5`, `bus i2c address=0x3D`. Whether it was valid; reports what is wrong.
 bool read_bus(const kdl::Node& node, Draft& draft, schema::Report& report);
 
-/// `beam galvo rate=(kHz)30 …` in place of a panel. Whether it was good; reports what is wrong.
+/// `beam galvo rate=(kHz)30 …` in place of a panel. Whether it was valid; reports what is wrong.
 bool read_beam_part(const kdl::Node& node, Draft& draft, schema::Report& report);
 
 /// Whether `board` has either a panel or a beam, and the bus for it; reports it if not.

@@ -73,7 +73,7 @@ namespace {
 constexpr InputKind firmware_input{"firmware", "a .bin file", "build it again"};
 constexpr std::size_t boot_code_bytes = 252;
 
-/// The bus that it is for, as it says itself, whether there is such a bus or not.
+/// The bus that it says it is for, whether there is such a bus or not.
 std::optional<std::size_t> bus_number(std::span<const std::byte> image)
 {
     if (image.size() < ImageMark::length_place)

@@ -11,26 +11,26 @@
 
 namespace kfast::config {
 
-/// The folders in which images of the Pico may lie, the first one first: the one that `given` names, and no
-/// other then; else `share/kfast/firmware` of the installation, or `build/pico` of the build tree, that the
-/// program belongs to (nothing if its place is not known).
+/// The folders in which images of the Pico may be, in the order of the search: only the one that `given`
+/// names; else `share/kfast/firmware` of the installation, or `build/pico` of the build tree, that the
+/// program belongs to (nothing if its path is not known).
 std::vector<std::filesystem::path> image_folders(const char* given,
                                                  const std::optional<std::filesystem::path>& program);
 
-/// Of this program, told by the environment's KFAST_FIRMWARE.
+/// Those of this program, with the environment's KFAST_FIRMWARE as `given`.
 std::vector<std::filesystem::path> image_folders();
 
 /// The firmware for displays on this bus. Throws Failure, naming the folders, if none of them has it.
 std::filesystem::path image_for(BusKind bus, std::span<const std::filesystem::path> folders);
 
-/// What to call it before a person: its place in the first of the folders, which is where it is installed, or
-/// if it is not there, where scripts/build puts it: "build/pico/pico-spi.bin".
+/// Its path for messages: in the first of the folders, which is where it is installed, or if it is not
+/// there, where scripts/build puts it: "build/pico/pico-spi.bin".
 std::string image_of(BusKind bus, std::span<const std::filesystem::path> folders);
 
 /// For this program.
 std::string image_of(BusKind bus);
 
-/// The .bin of a firmware for the Pico: what lies from the beginning of its flash on, a boot block first.
+/// The .bin of a firmware for the Pico: the contents from the beginning of its flash on, a boot block first.
 /// Throws Failure when it cannot be read, has no boot block with the right checksum, or is shorter or longer
 /// than it says; with no_room when it would reach into the settings.
 std::vector<std::byte> load_firmware(const std::filesystem::path& path);

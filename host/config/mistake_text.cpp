@@ -14,7 +14,7 @@ using schema::frequency, schema::quantity_text;
 
 constexpr std::uint8_t last_address = 0x77;
 
-/// "clock", "button 3"; of a parallel bus "data (D0 to D7 on GP0 to GP7)".
+/// "clock", "button 3"; for a parallel bus "data (D0 to D7 on GP0 to GP7)".
 std::string user_name(PinUser user, const BoardSettings& settings)
 {
     if (user.is_control())
@@ -77,7 +77,7 @@ std::string hex(unsigned value)
     return text.data();
 }
 
-/// Sellers print the address with the bit for reading or writing behind it.
+/// Sellers print the address with the bit for reading or writing after it.
 Finding address_text(const BoardSettings& settings)
 {
     const std::string message = hex(settings.i2c_address) + " is no address of a display";

@@ -23,7 +23,7 @@ Finding text_of(const SettingsMistake& mistake, const BoardSettings& settings);
 /// Hz that the maker of the display controller allows for writing on this bus; 0: not this bus.
 std::uint32_t rated_clock(const BoardSettings& settings);
 
-/// If the bus is faster than the display controller is rated for: no mistake, for many bear it.
+/// If the bus is faster than the display controller is rated for: no mistake, because many tolerate it.
 std::optional<Finding> clock_warning(const BoardSettings& settings);
 
 }

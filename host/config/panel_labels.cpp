@@ -11,7 +11,7 @@ namespace kfast::config {
 
 namespace {
 
-/// Whose print is on a module. Of SPI it depends on the display.
+/// The kinds of labels printed on modules. For SPI it depends on the display.
 enum class Print : std::uint8_t { lcd_spi, colour_oled_spi, mono_oled_spi, i2c, parallel, mcp4922 };
 
 constexpr std::size_t print_count = 6;
@@ -25,7 +25,7 @@ struct PinRoleRow {
     std::array<std::string_view, max_printed_names> printed_names = {}; ///< in small letters
 };
 
-/// In the order of PinRole. An MCP4922 has the numbers of its legs; the Z input is that of what it leads.
+/// In the order of PinRole. An MCP4922 has the numbers of its legs; the Z input is that of what it drives.
 constexpr std::array<PinRoleRow, pin_role_names.size()> rows{
     PinRoleRow{PinRole::clock,
                IdleLevel::none,

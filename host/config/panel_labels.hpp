@@ -7,18 +7,18 @@
 
 namespace kfast::config {
 
-/// What is printed beside the pin of a display: "SCL, SCK or CLK", the likeliest first. Empty where such
+/// What is printed beside the pin of a display: "SCL, SCK or CLK", the most likely first. Empty where such
 /// displays have no such pin. Of a parallel bus, data is "D" without its number.
 std::string_view panel_label(PinRole role, const BoardSettings& settings);
 
-/// Where a pin goes that the display may have and no GPIO drives.
+/// Where to wire a pin that the display may have and no GPIO drives.
 enum class IdleLevel : std::uint8_t { none, low, high };
 
-/// What holds a display ready that has a pin for the role, though the settings have none.
+/// The level that keeps a display ready that has a pin for the role if the settings have none.
 IdleLevel idle_level(PinRole role, const BoardSettings& settings);
 
-/// What a pin is for beside which sellers of displays print this, in small letters: "rst" is reset. The names
-/// of roles themselves are not among them.
+/// The role of a pin that sellers of displays label with this, in small letters: "rst" is reset. The names of
+/// roles themselves are not among them.
 std::optional<PinRole> role_printed_as(std::string_view name);
 
 }

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Who lives where in the flash of a Pico: firmware, then the sector of the settings, then the built-in
-/// scene, and behind it the slots.
+/// The layout of the flash of a Pico: firmware, then the sector of the settings, then the built-in scene,
+/// and after it the slots.
 namespace kfast::pico_flash {
 
 inline constexpr std::uint32_t begin = 0x1000'0000;

@@ -65,7 +65,7 @@ std::string run_text(int first, int end)
     return text;
 }
 
-/// All pins of the edge that `holds` is true of.
+/// All pins of the edge for which `holds` is true.
 template <class Condition>
 std::string listed(Condition holds)
 {

@@ -65,7 +65,7 @@ namespace {
 
 using schema::Report;
 
-/// `what` is named: a clip or an input.
+/// Reads a name; `what` is named: a clip or an input.
 bool read_stored_name(const kdl::Value& value, std::string_view what, StoredName& stored, Report& report)
 {
     const auto name = read_name(value, report);
@@ -80,7 +80,7 @@ bool read_stored_name(const kdl::Value& value, std::string_view what, StoredName
     return true;
 }
 
-/// What a control of this kind does not do, or nobody.
+/// Reports what a control of this kind, or any, does not do.
 void report_unknown_action(const kdl::Value& value, std::string_view name, ControlKind kind, Report& report)
 {
     std::vector<std::string_view> known;

@@ -16,7 +16,7 @@ namespace {
 constexpr int supply = rp2040::pico_supply_pin;
 constexpr int display_ground = 38;
 
-/// As they lie on most modules.
+/// In their order on most modules.
 constexpr std::array display_roles{PinRole::clock,  PinRole::data,      PinRole::reset,  PinRole::dc,
                                    PinRole::select, PinRole::backlight, PinRole::tearing};
 
@@ -163,7 +163,7 @@ private:
     }
 
     const BoardSettings& settings_;
-    std::string part_; ///< whose wires are being added
+    std::string part_; ///< the part whose wires are being added
     std::vector<Connection> list_;
 };
 
@@ -179,7 +179,7 @@ constexpr std::size_t left_name_width = std::string_view{"GP15"}.size();
 constexpr std::size_t right_name_width = std::string_view{"ADC_VREF"}.size();
 constexpr std::size_t number_width = 2;
 
-/// The likeliest of the names that the end may have; other parts than the display by their own name.
+/// The most likely of the names that the end may have; for parts other than the display, their own name.
 std::string mark_of(const Connection& wire)
 {
     return wire.part == "display" || wire.part == converter_part

@@ -11,10 +11,10 @@
 
 namespace kfast::config {
 
-/// The converters that lead a beam, in a case with 14 legs.
+/// The converters that move a beam, in a case with 14 pins.
 inline constexpr const char* converter_part = "MCP4922";
 
-/// Where their voltages come out, and what they lead.
+/// Where their voltages come out, and what they drive.
 struct ConverterOutput {
     std::string_view end;
     std::string_view axis;
@@ -31,7 +31,7 @@ struct Connection {
     bool is_optional = false; ///< only where the part has such an end; no drawing shows it
 };
 
-/// All wires that settings for a Pico ask for, part by part; they keep its rules
+/// All wires that settings for a Pico require, part by part; they keep its rules
 /// (firmware/settings/board_rules.hpp).
 std::vector<Connection> wiring(const BoardSettings& settings);
 

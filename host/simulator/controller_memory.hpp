@@ -10,22 +10,22 @@
 
 namespace kfast {
 
-/// Part of a controller's memory and the place in it that the next pixel goes to. Places are what the
+/// Part of a controller's memory and the position in it that the next pixel goes to. Positions are what the
 /// controller counts: pixels, bytes of pixels or pages.
 class AddressWindow {
 public:
     enum class Axis { columns, rows };
 
-    /// Sets one axis, where the last place that exists is `limit` - 1, and goes to the first place of both.
-    /// Returns what is wrong with it, and changes nothing then.
+    /// Sets one axis, where the last position is `limit` - 1, and goes to the first position of both. Returns
+    /// what is wrong with it, and changes nothing then.
     std::optional<std::string> set(Axis axis, int first, int last, int limit);
-    /// Goes to the first place.
+    /// Goes to the first position.
     void restart();
-    /// Goes to the next place, first along `axis`.
+    /// Goes to the next position, first along `axis`.
     void advance(Axis axis);
 
     bool is_given() const { return columns_.is_given && rows_.is_given; }
-    /// No place is left: the last one was passed.
+    /// Whether no position is left: the last one was passed.
     bool is_full() const { return is_full_; }
     bool is_begun() const { return is_begun_; }
     int column() const { return columns_.at; }
@@ -45,7 +45,7 @@ private:
     bool is_full_ = false;
 };
 
-/// A colour as colour controllers keep it, 6 bits a channel; red is what they think of as red.
+/// A colour as colour controllers store it, 6 bits a channel; red is what they take for red.
 struct StoredColour {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -65,7 +65,7 @@ constexpr StoredColour from_rgb565(std::uint32_t bits)
     return {widen(bits >> 11 & 31), static_cast<std::uint8_t>(bits >> 5 & 63), widen(bits & 31)};
 }
 
-/// How a glass makes light of what the controller keeps.
+/// How a glass shows what the controller stores.
 struct ColourPath {
     bool swaps = false;   ///< red and blue
     bool inverts = false; ///< all channels
@@ -79,7 +79,7 @@ struct ColourPath {
     }
 };
 
-/// The pixels of a colour controller, not turned.
+/// The pixels of a colour controller, not rotated.
 class ColourMemory {
 public:
     explicit ColourMemory(Size size)

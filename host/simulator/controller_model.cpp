@@ -202,7 +202,7 @@ struct Place {
     int y;
 };
 
-/// Where the pixel (x, y) of the upright picture lies on a glass of that size.
+/// Where the pixel (x, y) of the upright picture is on a glass of that size.
 Place on_glass(Size glass, Rotation rotation, int x, int y)
 {
     switch (rotation) {

@@ -15,37 +15,37 @@
 
 namespace kfast {
 
-/// What a display controller makes of the bytes on its wires, stricter than the real one: the first mistake
-/// is kept as error(), and nothing is decoded after it. Which controller it is, is chosen at run time, hence
+/// A model of a display controller that decodes the bytes on its wires, stricter than the real one: the first
+/// mistake is kept as error(), and nothing is decoded after it. The controller is chosen at run time, hence
 /// virtual.
 ///
-/// `time` is counted from the moment the power came on, and never goes back.
+/// `time` is counted from power-on, and never goes back.
 class ControllerModel {
 public:
     virtual ~ControllerModel() = default;
 
-    /// The reset line was low and has become high. Coming up with the power counts as one at time 0.
+    /// The reset line was low and has become high. Power-on counts as a reset at time 0.
     virtual void reset(std::chrono::nanoseconds time) = 0;
     /// Bytes that arrive with D/C low, the first at `time`.
     virtual void command(std::chrono::nanoseconds time, std::span<const std::byte> bytes) = 0;
     /// Bytes that arrive with D/C high.
     virtual void data(std::chrono::nanoseconds time, std::span<const std::byte> bytes) = 0;
 
-    /// What is on the glass, as the controller scans it, not turned: black while it is dark. In rgb565, grey4
-    /// or mono1.
+    /// What is on the glass, as the controller scans it, not rotated: black while it is dark. In rgb565,
+    /// grey4 or mono1.
     virtual Frame picture() const = 0;
-    /// What was wrong first, with the position of the byte among all bytes received.
+    /// The first mistake, with the position of the byte among all bytes received.
     virtual const std::optional<std::string>& error() const = 0;
 };
 
 /// The controller with the glass that `settings` describes: `rotation` and `brightness` say nothing about a
-/// glass and are not looked at; `bgr` and `inverted` say how it is made.
+/// glass and are ignored; `bgr` and `inverted` say how it is made.
 std::unique_ptr<ControllerModel> make_controller_model(const PanelSettings& settings);
 
-/// A picture on the glass as somebody sees it who holds the glass so that `rotation` is upright.
+/// A picture on the glass as it is seen if the glass is held so that `rotation` is upright.
 Frame seen_upright(const Frame& glass, Rotation rotation);
 
-/// What a controller knows of a command: how many bytes come with it.
+/// What a controller knows of a command: how many parameters follow it.
 struct CommandForm {
     /// The controller has the command, but no model says what it does to the picture: it is refused.
     static constexpr int not_modelled = -1;
@@ -67,11 +67,11 @@ struct NeededCommand {
     std::uint8_t or_else = code;
 };
 
-/// Of which level D/C is while a command's parameters arrive.
+/// The level of D/C while a command's parameters arrive.
 enum class ParameterLine { low, high };
 
 /// A controller that knows commands of one byte with parameters: takes the bytes apart, keeps the first
-/// mistake with its place and time, and decodes nothing after it.
+/// mistake with its position and time, and decodes nothing after it.
 class CommandModel : public ControllerModel {
 public:
     CommandModel(const CommandModel&) = delete;
@@ -88,7 +88,7 @@ protected:
     {
     }
 
-    /// All registers are as after the power came on.
+    /// Sets all registers as after power-on.
     virtual void forget() = 0;
     /// A command that the controller knows has come, its parameters have not.
     virtual void begin(std::uint8_t code) = 0;
@@ -102,7 +102,7 @@ protected:
     /// Forgets which commands were given, as a reset does.
     void forget_commands() { given_.reset(); }
     std::chrono::nanoseconds now() const { return now_; }
-    /// The first that was not given since the last reset.
+    /// The first that was not sent since the last reset.
     std::optional<std::uint8_t> missing(std::span<const NeededCommand> needed) const;
 
 private:

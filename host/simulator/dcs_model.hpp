@@ -6,8 +6,8 @@
 
 namespace kfast {
 
-/// A colour controller of the MIPI DCS family. More than the makers ask: 120 ms pass between any reset and
-/// sleep out, for nobody knows what the controller did before; memory access and pixel format are set before
+/// A colour controller of the MIPI DCS family. Stricter than the makers: 120 ms pass between any reset and
+/// sleep out, as its state before is not known; memory access and pixel format are set before
 /// the first pixel; a window is set anew after the memory access.
 class DcsModel : public CommandModel {
 public:
@@ -32,7 +32,7 @@ private:
         std::uint32_t bits = 0;  ///< those of a pixel that is not whole yet
         int bit_count = 0;
     };
-    /// The first moments at which something is allowed.
+    /// The first times at which something is allowed.
     struct Earliest {
         Time command;
         Time sleep_in;

@@ -55,7 +55,7 @@ public:
         return static_cast<std::size_t>(facts.st_size);
     }
 
-    /// Written, not just made longer: a full disk is told now.
+    /// Written, not just made longer: a full disk is reported now.
     void fill(std::size_t size) const
     {
         const std::vector<std::byte> bytes(size, erased);

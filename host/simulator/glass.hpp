@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// Where something in a controller's memory lies: there, and on the glass.
+/// Where something is in a controller's memory, and on the glass.
 struct GlassPlace {
     int column = 0;
     int row = 0;
@@ -51,7 +51,7 @@ struct OledScan {
     }
 };
 
-/// What OLED controllers that choose by the commands A4h to A7h make of all pixels.
+/// How OLED controllers show all pixels, as chosen by the commands A4h to A7h.
 enum class OledShow { memory, all_lit, all_dark, inverse };
 
 /// A picture whose pixel (x, y) is `pixel_at(x, y)`, coded in `format`.

@@ -20,8 +20,8 @@ protected:
         AddressWindow window{};
     };
 
-    /// `memory` is how many columns and rows the controller has, `required` what it must have been given
-    /// before the first pixel.
+    /// `memory` is the columns and rows that the controller has, `required` what must have been sent before
+    /// the first pixel.
     OledModel(std::vector<CommandForm> forms, ParameterLine line, const PanelSettings& settings, Size memory,
               std::span<const NeededCommand> required);
 
@@ -29,11 +29,11 @@ protected:
     /// Refuses to sleep while the window waits for pixels.
     void begin(std::uint8_t code) override;
 
-    /// Sets an axis of the window, where the last place that exists is `limit` - 1.
+    /// Sets an axis of the window, where the last position is `limit` - 1.
     void select(AddressWindow::Axis axis, Parameters parameters, int limit);
     /// `last` is the number of the last line that is scanned.
     void set_lines(int last);
-    /// Of the models that know no display offset.
+    /// For the models that have no display offset.
     void check_offset(int offset);
     /// Whether pixels may come: there is a window, and it is not full. Reports it if not.
     bool is_ready(bool has_window, bool is_full);

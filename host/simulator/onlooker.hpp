@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// Who watches a simulated board while it runs.
+/// Watches a simulated board while it runs.
 class Onlooker {
 public:
     Onlooker() = default;
@@ -17,7 +17,7 @@ public:
     Onlooker(const Onlooker&) = delete;
     Onlooker& operator=(const Onlooker&) = delete;
 
-    /// The picture has changed, or time has passed. It is `moment` of what plays.
+    /// The picture has changed, or time has passed. It is that of the time `moment` of what plays.
     virtual void see(const Frame& picture, Time moment, const link::Playing& playing) = 0;
     virtual void hear(const EventView& event) = 0;
     /// Nothing plays, and why. The picture says so.

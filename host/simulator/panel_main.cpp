@@ -1,5 +1,5 @@
-// Plays what an emulator saw on the wires of a panel into the model of its controller, and prints what the
-// board told. To the lines that begin with "F " it appends the CRC-32 of the picture that is on the glass
+// Plays what an emulator recorded on the wires of a panel into the model of its controller, and prints the
+// board's text. To the lines that begin with "F " it appends the CRC-32 of the picture that is on the glass
 // then, upright: the number that `kfast hash` prints.
 //
 //     kfast-panel TRACE RECORD [--pictures FOLDER]

@@ -36,8 +36,8 @@ struct PluggedParts {
 };
 
 /// A board that exists in memory and runs in real time, with a plug that programs talk to: the firmware's
-/// loop, link and slots, and its driver `P` against a model of the controller. It lends as much memory as a
-/// Pico does at least, and nothing on it can be touched.
+/// loop, link and slots, and its driver `P` against a model of the controller. It lends at least as much
+/// memory as a Pico does, and has no controls.
 template <Panel P>
 class PluggedBoard {
 public:
@@ -112,7 +112,7 @@ private:
     static constexpr int band_rows = 24;
     static constexpr std::string_view board_name = "Simulator";
 
-    /// What is not there is never touched.
+    /// Pins that are not there never change.
     struct NoPins {
         bool pressed(Pin) const { return false; }
         int level(Pin) const { return 0; }

@@ -16,7 +16,7 @@
 namespace kfast {
 namespace {
 
-/// What is longer is no report in any case.
+/// Anything longer is no report in any case.
 constexpr std::size_t max_bytes = 2 * link::report_bytes;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& why)
@@ -59,7 +59,7 @@ bool is_plug(const std::filesystem::path& path)
     return std::filesystem::is_socket(path, unknown);
 }
 
-/// Of a board that ended without clearing up. What cannot be removed is told when the board is to listen.
+/// Removes that of a board that ended without clearing up. If that fails, listening will report it.
 void remove_left_over(const std::filesystem::path& path)
 {
     std::error_code stays;
@@ -85,7 +85,7 @@ int listening_socket(const std::filesystem::path& path)
     fail(path, std::string{"cannot listen there: "} + std::strerror(why));
 }
 
-/// Of what recv() returned.
+/// Whether what recv() returned means a broken connection.
 bool is_broken(ssize_t size) { return size < 0 && errno != EAGAIN && errno != EINTR; }
 
 link::ReportBytes first_of(std::span<const std::byte> bytes)

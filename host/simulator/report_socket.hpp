@@ -10,8 +10,8 @@
 
 namespace kfast {
 
-/// The plug of a simulated board: a socket at which programs send it reports and hear its own. As with a
-/// plug, all of them hear every report.
+/// The plug of a simulated board: a socket at which programs send it reports and receive its own. As with a
+/// plug, all of them receive every report.
 class ReportSocket {
 public:
     /// Throws Failure if the socket cannot be made, or a board listens there already.
@@ -23,10 +23,10 @@ public:
     /// Sleeps until a report may have come, but not longer than `time`.
     void wait(std::chrono::microseconds time);
 
-    // As LinkService wants it (link::Pipe).
-    /// What has not the length of a report is dropped.
+    // What LinkService requires (link::Pipe).
+    /// The next report. What does not have the length of a report is dropped.
     std::optional<link::ReportBytes> take();
-    /// Whoever does not fetch reports misses them.
+    /// A program that does not fetch reports misses them.
     bool send(const link::ReportBytes& report);
     /// It is always plugged in.
     bool is_connected() const { return true; }

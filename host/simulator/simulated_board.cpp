@@ -17,7 +17,7 @@ public:
               *Player::create(*SceneView::parse(scene), board_.panel().size(), Fit::contain, board_.block())}
     {
         begin_panel(board_);
-        light_panel(board_); // nobody sees it before the first picture
+        light_panel(board_); // nothing is seen before the first picture
     }
     BoardSource(const BoardSource&) = delete;
 

@@ -31,7 +31,7 @@ struct ShownFrame {
 template <Panel P>
 class SimulatedBoard {
 public:
-    /// Runs for so many frames. `scene`'s bytes must outlive the board; `P` drives the controller that
+    /// Runs for `frames` frames. `scene`'s bytes must outlive the board; `P` drives the controller that
     /// `settings` name.
     SimulatedBoard(std::span<const std::byte> scene, const PanelSettings& settings, std::size_t frames)
         : scene_{scene}, settings_{settings}, frames_wanted_{frames}

@@ -12,11 +12,11 @@
 
 namespace kfast {
 
-/// A clock that stands still until somebody lets time pass.
+/// A clock that stands still except for pass().
 class SimulatedClock {
 public:
     Microseconds now() const { return {static_cast<std::uint32_t>(elapsed_.count())}; }
-    /// Since the power came on; does not wrap.
+    /// The time since power-on; does not wrap.
     std::chrono::nanoseconds elapsed() const { return elapsed_; }
 
     void pass(Microseconds time) { elapsed_ += std::chrono::microseconds{time.count}; }
@@ -25,7 +25,7 @@ private:
     std::chrono::microseconds elapsed_{};
 };
 
-/// The wires to a controller model. As with DMA, data are read only while they are on their way, so a buffer
+/// The wires to a controller model. As with DMA, data are read only while they are being sent, so a buffer
 /// that is drawn into too early spoils the picture. The bytes take no time.
 class SimulatedBus {
 public:
@@ -59,7 +59,7 @@ public:
         unit_ = 2;
     }
 
-    /// Every question lets half of what is left arrive.
+    /// Every call lets half of what is left arrive.
     bool busy()
     {
         const std::size_t units = on_their_way_.size() / unit_;

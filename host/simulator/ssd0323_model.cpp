@@ -100,7 +100,7 @@ void Ssd0323Model::execute_geometry(std::uint8_t code, std::uint8_t value)
 {
     if (code == 0xA0)
         return set_remap(value);
-    // A whole turn of the display offset is written as 80, too.
+    // A display offset of all rows is written as 80, too.
     const int limit = code == 0x81 ? 127 : code == 0xA2 ? rows : rows - 1;
     if (value > limit || (code == 0xA8 && value < 15))
         return fail(std::to_string(value) + " is no parameter of " + hex(code));

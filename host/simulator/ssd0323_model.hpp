@@ -5,7 +5,7 @@
 namespace kfast {
 
 /// Solomon SSD0323: OLED, 128 x 80 pixels of 16 greys, two in a byte. Modules are wired so that the lowest
-/// line of the glass is the controller's first. More than the maker asks: remap and lines are set before the
+/// line of the glass is the controller's first. Stricter than the maker: remap and lines are set before the
 /// first pixel.
 class Ssd0323Model : public OledModel {
 public:

@@ -5,7 +5,7 @@
 namespace kfast {
 
 /// Solomon SSD1306: OLED, 128 x 64 pixels of one bit, 8 of a column in a byte, the upper one in the lowest
-/// bit. As most modules it makes its own voltage. More than the maker asks: the addressing, the lines and
+/// bit. Like most modules it makes its own voltage. Stricter than the maker: the addressing, the lines and
 /// their wiring, the orientation and the voltage pump are set before the first pixel. The window is one of
 /// columns and pages, and without a meaning in page addressing.
 class Ssd1306Model : public OledModel {
@@ -23,7 +23,7 @@ private:
         Addressing addressing = Addressing::page;
         int page = 0; ///< in page addressing, as is the column
         int column = 0;
-        bool mirrors_columns = true; ///< against the module as it is mounted
+        bool mirrors_columns = true; ///< relative to the module as it is mounted
         bool scans_from_first = true;
         bool is_all_lit = false;
         bool inverts = false;

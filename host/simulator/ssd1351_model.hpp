@@ -4,8 +4,8 @@
 
 namespace kfast {
 
-/// Solomon SSD1351: OLED, 128 x 128 pixels in colours of 16 or 18 bits. More than the maker asks: columns and
-/// rows are set again before each writing, for the controller does not always go back to their beginning;
+/// Solomon SSD1351: OLED, 128 x 128 pixels in colours of 16 or 18 bits. Stricter than the maker: columns and
+/// rows are set again before each writing, because the controller does not always return to their beginning;
 /// remap, lines and display offset are set before the first pixel.
 class Ssd1351Model : public OledModel {
 public:
@@ -16,8 +16,8 @@ public:
 
 private:
     struct Registers {
-        bool is_locked = false;       ///< nothing but the lock is heard
-        bool is_inner_open = false;   ///< also the commands that the lock guards of its own are heard
+        bool is_locked = false;       ///< only the lock is accepted
+        bool is_inner_open = false;   ///< also the commands that the lock guards separately are accepted
         std::uint8_t remap = 0;       ///< the bits of A0h
         bool has_new_columns = false; ///< since the last writing
         bool has_new_rows = false;

@@ -79,7 +79,7 @@ std::vector<TraceRecord> read_trace(std::span<const std::byte> bytes)
 
 namespace {
 
-/// The least that makes a reset of all controllers.
+/// The shortest time that resets all controllers.
 constexpr std::chrono::microseconds shortest_reset{10};
 
 bool is_select_record(const TraceRecord& record)

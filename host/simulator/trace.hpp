@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// What an emulator saw on the wires of a panel, and heard from the board.
+/// What an emulator recorded on the wires of a panel, and of the board's text.
 enum class TraceKind : std::uint8_t {
     command,    ///< bytes with D/C low
     data,       ///< bytes with D/C high
@@ -20,12 +20,12 @@ enum class TraceKind : std::uint8_t {
     reset_high, //
     selected,   ///< chip select is active
     deselected, //
-    note,       ///< a line of text that the board told
+    note,       ///< a line of text that the board printed
 };
 
 struct TraceRecord {
     TraceKind kind = TraceKind::note;
-    std::chrono::nanoseconds time{}; ///< since the power came on; of the first byte
+    std::chrono::nanoseconds time{}; ///< since power-on; of the first byte
     std::span<const std::byte> bytes;
     std::size_t position = 0; ///< in the trace, in bytes
 };
@@ -35,11 +35,11 @@ struct TraceRecord {
 ///     "KFTRACE1"
 ///     records: kind u8, time u64 in nanoseconds, count u32, `count` bytes
 ///
-/// The records look into `bytes`. Throws Failure with the position when the trace is damaged, times go back,
+/// The records refer to `bytes`. Throws Failure with the position when the trace is damaged, times go back,
 /// or a line's record carries bytes.
 std::vector<TraceRecord> read_trace(std::span<const std::byte> bytes);
 
-/// Plays what an emulator saw into a model. Chip select counts only in traces that tell of it, and is
+/// Plays what an emulator recorded into a model. Chip select counts only in traces that record it, and is
 /// inactive at their beginning.
 class TraceReplay {
 public:

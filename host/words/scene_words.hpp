@@ -14,19 +14,19 @@
 
 namespace kfast {
 
-/// As docs/library.md, kfast.h and reports call it: "strokes".
+/// Its name in docs/library.md, kfast.h and reports: "strokes".
 std::string_view feature_name(Feature feature);
 
-/// Of all of a set, in the order of Feature.
+/// The names of all features of a set, in the order of Feature.
 std::vector<std::string> feature_names(FeatureSet set);
 
 /// "strokes, texts"; "no features".
 std::string features_text(FeatureSet set);
 
-/// Those of a set, in the order of Feature.
+/// The features of a set, in the order of Feature.
 std::vector<Feature> features_in(FeatureSet set);
 
-/// As the scene language calls it.
+/// Its name in the scene language.
 constexpr std::string_view property_name(Property property)
 {
     constexpr std::array<std::string_view, property_count> names{
@@ -36,23 +36,23 @@ constexpr std::string_view property_name(Property property)
 }
 
 /// Converts what a track stores of a property (core/scene/property.hpp) to the unit that the scene language
-/// has for it: pixels, degrees, or a share of 1. Not for colours, which are no numbers; `order` and `visible`
+/// has for it: pixels, degrees, or a fraction. Not for colours, which are no numbers; `order` and `visible`
 /// stay as they are.
 double written_amount(Property property, double stored);
 
 /// Returns "#rrggbb", or "#rrggbbaa" of a colour that is not opaque.
 std::string colour_text(Colour colour);
 
-/// How many frames that is, with parts of one.
+/// The number of frames, with fractions.
 constexpr double in_frames(Time time) { return static_cast<double>(time.ticks) / Time::ticks_per_frame; }
 
 /// The input that `driver` is.
 InputView input_of(const SceneView& scene, Driver driver);
 
-/// A moment of keys as an author writes it: in frames, or in the values of the input that they go by.
+/// A time of keys as an author writes it: in frames, or in the values of the input that they go by.
 double written_moment(const SceneView& scene, Driver driver, Time moment);
 
-/// As scenes are written.
+/// Its name in the scene language.
 constexpr std::string_view loop_name(Loop loop)
 {
     switch (loop) {

@@ -210,7 +210,7 @@ constexpr std::array synonym_table{
     Synonym{"string", "text"},
 };
 
-/// What other programs have and the language has not, by the names that they give it.
+/// What other programs have and the language does not, by their names for it.
 struct Absent {
     std::string_view word;
     std::string_view things;
@@ -258,7 +258,7 @@ constexpr std::array absents{
     Absent{"audio", "sounds"},
 };
 
-/// As the tables have it: strokeWidth and stroke_width as stroke-width.
+/// The word as in the tables: strokeWidth and stroke_width as stroke-width.
 std::string plain(std::string_view word)
 {
     std::string text;

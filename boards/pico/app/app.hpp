@@ -14,7 +14,7 @@
 
 namespace kfast::pico {
 
-/// The life of a Pico whose display (panel_display.hpp, beam_display.hpp) hangs on wires of the kind
+/// Runs a Pico whose display (panel_display.hpp, beam_display.hpp) is connected by wires of the kind
 /// `bus_kind`: main() of an image.
 template <class Display, BusKind bus_kind>
 class App {

@@ -2,7 +2,7 @@
 
 #include "firmware/settings/board_rules.hpp"
 
-/// The settings of a board whose flash holds none: for whoever would rather change a line and compile than
+/// The settings of a board whose flash holds none: for those who would rather change a line and compile than
 /// store them with `kfast config`. What breaks a rule does not compile.
 namespace kfast::pico {
 
@@ -33,7 +33,7 @@ inline constexpr BoardSettings i2c_settings = [] {
     return settings;
 }();
 
-/// A module with an ILI9341, 320 x 240 pixels as it lies on a table.
+/// A module with an ILI9341, 320 x 240 pixels in landscape.
 inline constexpr BoardSettings parallel_settings = [] {
     BoardSettings settings;
     settings.panel = facts_of(Controller::ili9341).default_value;
@@ -49,7 +49,7 @@ inline constexpr BoardSettings parallel_settings = [] {
     return settings;
 }();
 
-/// An oscilloscope with an MCP4922 at x and y. It has no Z levels: what is dark is drawn in haste.
+/// An oscilloscope with an MCP4922 at x and y. It has no Z levels: what is dark is drawn fast.
 inline constexpr BoardSettings dac_settings = [] {
     BoardSettings settings;
     settings.beam = scope_profile;

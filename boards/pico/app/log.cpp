@@ -19,8 +19,8 @@ static_assert(divisor == 67 * 64 + 52);
 
 constexpr Pl011 uart_of(int unit) { return Pl011{unit == 0 ? 0x4003'4000u : 0x4003'8000u}; }
 
-constinit std::optional<Pl011> uart; // nothing: nobody is told anything
-constinit LogBuffer buffer;          // changes with interrupts off alone
+constinit std::optional<Pl011> uart; // nothing: the log is off
+constinit LogBuffer buffer;          // changes only with interrupts off
 
 void feed_uart()
 {

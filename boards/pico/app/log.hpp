@@ -5,13 +5,13 @@
 
 namespace kfast::pico {
 
-/// What the board tells to a serial terminal: lines at 115200 baud, 8 bits, no parity, sent while the program
-/// goes on. A line is told when its '\n' is written; one that the buffer has no room for is lost whole.
+/// What the board prints to a serial terminal: lines at 115200 baud, 8 bits, no parity, sent while the
+/// program goes on. A line is sent when its '\n' is written; one that does not fit in the buffer is lost.
 class Log {
 public:
-    /// Needs start_clocks(). Nothing is told if the pin cannot send.
+    /// Needs start_clocks(). Nothing is printed if the pin cannot send.
     void begin(Pin pin) const;
-    /// Whether anybody is told anything.
+    /// Whether anything is printed.
     bool is_on() const;
 
     void write(char letter) const;

@@ -5,7 +5,7 @@
 
 namespace kfast::pico {
 
-/// Lines on their way, in a ring. A line counts from its '\n' on; one that does not fit is dropped whole.
+/// Lines to be sent, in a ring. A line counts from its '\n' on; one that does not fit is dropped whole.
 class LogBuffer {
 public:
     static constexpr std::size_t room = 2047;

@@ -15,8 +15,8 @@
 
 namespace kfast::pico {
 
-/// A Raspberry Pi Pico, one processor at work, whatever display it has. It plays what its stage has, as
-/// controls and computer want it, and tells what it does (report.hpp) if the settings name a pin for that.
+/// A Raspberry Pi Pico, one processor in use, whatever display it has. It plays what its stage has, as
+/// controls and computer command, and reports what it does (report.hpp) if the settings name a pin for that.
 class PlaybackBoard {
 public:
     /// All of them must outlive the board. The computer has begun.

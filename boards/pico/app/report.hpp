@@ -26,7 +26,7 @@ void fault(Error error);
 /// Stored settings that this image, which is for `bus`, cannot work with.
 void other_bus(BusKind settings, BusKind bus);
 void mistake(SettingsMistake mistake);
-/// Nobody on I²C takes what is sent.
+/// No display on I²C acknowledges what is sent.
 void no_display(std::uint8_t i2c_address);
 
 }

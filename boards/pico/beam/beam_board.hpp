@@ -16,7 +16,7 @@ public:
 
     DacBeam& beam() { return beam_; }
 
-    // The button that disarms is looked at wherever time passes, however slow or large the scene is.
+    // The button that disarms is polled wherever time passes, however slow or large the scene is.
     void listen()
     {
         watch_arming();

@@ -9,7 +9,7 @@ namespace kfast::pico {
 
 /// A vector display, as an App's display.
 struct BeamDisplay {
-    /// The beam is dark: before anything else, and only on a pin that the settings can mean.
+    /// Makes the beam dark: before anything else, and only on a pin that the settings can mean.
     static void make_safe(const BoardSettings& settings)
     {
         if (leads_beam(settings.bus) && !mistake_in(settings))
@@ -36,7 +36,7 @@ struct BeamDisplay {
         static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
                       ListeningBoard<B> && ChangingBoard<B> && LiveInputBoard<B>);
         run_scenes(board);
-        __builtin_unreachable(); // the board wants to run for ever
+        __builtin_unreachable(); // the board runs for ever
     }
 };
 

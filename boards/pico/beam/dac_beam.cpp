@@ -23,7 +23,7 @@ constexpr std::uint32_t both_machines = 3;
 /// than the bands of a panel.
 constexpr std::size_t max_points = 4096;
 
-/// Wherever these lie, no loop is right in front of another (looped_words.hpp).
+/// Wherever these are, no loop is right in front of another (looped_words.hpp).
 template <std::size_t size>
 struct Picture {
     std::array<std::uint32_t, size> points;
@@ -33,7 +33,7 @@ struct Picture {
 std::array<Picture<max_points>, 2> pictures;
 Picture<1> parked;
 
-/// A laser may shine for 2 ms in one place.
+/// A laser may shine for 2 ms at one point.
 constexpr std::uint32_t still_lights_in_second = 500;
 
 /// Gives a pin to the machine that has a side-set, set or out pin there, and its level at the beginning.

@@ -10,7 +10,7 @@
 
 namespace kfast::pico {
 
-/// A beam that an MCP4922, or what is spoken to alike, leads by x and y. State machines and the DMA do it
+/// A beam that an MCP4922, or one with the same protocol, moves by x and y. State machines and the DMA do it
 /// all: the processor only plots pictures.
 class DacBeam {
 public:
@@ -30,7 +30,7 @@ private:
     const BeamProfile& profile_;
     StillLight still_light_;  ///< of a laser
     std::size_t plotted_ = 0; ///< the picture that is being plotted
-    std::size_t points_ = 0;  ///< of it, until now
+    std::size_t points_ = 0;  ///< of that picture, so far
 };
 
 static_assert(Beam<DacBeam>);

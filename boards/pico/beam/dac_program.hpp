@@ -6,16 +6,16 @@
 #include <array>
 #include <cstdint>
 
-/// Two state machines lead the beam. One tells the converters each point, the other is the clock of the
-/// points: it counts cycles and waits for nobody, so that from LDAC to LDAC there is always the same time.
+/// Two state machines move the beam. One sends each point to the converters, the other is the clock of the
+/// points: it counts cycles and never waits, so that from LDAC to LDAC there is always the same time.
 /// That is why no timer of the DMA paces the points: a transfer waits for the bus, a count does not.
 namespace kfast::pico::pio {
 
-/// Tells the converters a point whenever the clock of the points has set flag 0. Its side-set pin is the
+/// Sends a point to the converters whenever the clock of the points has set flag 0. Its side-set pin is the
 /// clock of the bits, its out pin their data, its set pin CS. A word holds, from the highest bits on, 8 bits
 /// that are 0 if the beam is dark, 12 of x, 12 of y. Where no word has come it takes the one in ISR.
 ///
-/// When both words are told, the data line is high if the beam is to be dark: the clock of the points copies
+/// When both words are sent, the data line is high if the beam is to be dark: the clock of the points copies
 /// it.
 constexpr std::array<std::uint32_t, 25> dac_output_program(const rp2040::DacBit& bit)
 {
@@ -54,7 +54,7 @@ constexpr std::array<std::uint32_t, 25> dac_output_program(const rp2040::DacBit&
     };
 }
 
-/// How often the clock of the points goes round a loop, less one, and how long it waits besides.
+/// How often the clock of the points runs a loop, less one, and how long it waits besides.
 struct PointClock {
     static constexpr std::uint32_t latch = 14; ///< LDAC is low for 112 ns
     static constexpr std::uint32_t turn = 16;
@@ -72,9 +72,9 @@ constexpr PointClock point_clock(std::uint32_t cycles)
     return {left / PointClock::turn - 1, left % PointClock::turn + 1};
 }
 
-/// The converters take over what they were told, and the beam is as bright as it shall be there. Its side-set
-/// pin is LDAC, its out pin makes the beam dark, its in pin is the data line. y holds the turns. It lies at
-/// `place`.
+/// The converters take over what they were sent, and the beam is as bright as it should be there. Its
+/// side-set pin is LDAC, its out pin makes the beam dark, its in pin is the data line. y holds the turns. It
+/// is loaded at `place`.
 constexpr std::array<std::uint32_t, 4> point_clock_program(const PointClock& clock, std::uint32_t place)
 {
     return {

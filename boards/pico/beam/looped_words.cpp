@@ -9,7 +9,7 @@ namespace {
 
 // When `words` has sent the last one it has `chooser` look which loop is next. That writes where it is
 // described to `starter`, and so starts it; that writes the description to `words`, and so starts that. The
-// processor changes one word, `next`: there is no moment at which it could be wrong.
+// processor changes one word, `next`: there is no time at which it could be wrong.
 constexpr dma::Channel words{0};
 constexpr dma::Channel chooser{1};
 constexpr dma::Channel starter{2};
@@ -53,12 +53,12 @@ void go_over_to(const Loop& loop)
     next = &loop;
 }
 
-// While `starter` reads it stands elsewhere: at the beginning of a loop or in its middle. The beginning of
-// the one that runs is not the end of what was asked for, as these do not lie side by side.
+// While `starter` reads it points elsewhere: to the beginning of a loop or its middle. The beginning of the
+// one that runs is not the end of the one that was requested, as these are not adjacent.
 bool has_gone_over()
 {
     const bool result = starter.read_addr().read() == address_of(next + 1);
-    std::atomic_signal_fence(std::memory_order_acquire); // nobody writes to the words before
+    std::atomic_signal_fence(std::memory_order_acquire); // nothing writes to the words before
     return result;
 }
 

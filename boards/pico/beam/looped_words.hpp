@@ -6,7 +6,7 @@
 #include <span>
 
 /// Words from memory to a register at the pace of its unit, over and over, without the processor: neither
-/// what it computes nor flash that is being erased holds them up. Takes channels 0, 1 and 2 of the DMA.
+/// what it computes nor flash that is being erased delays them. Takes channels 0, 1 and 2 of the DMA.
 namespace kfast::pico::looped_words {
 
 /// As the registers of a channel have them.
@@ -27,8 +27,8 @@ private:
 /// Starts with `first`, of one word at least, as all of them. Needs start_clocks().
 void begin(const Loop& first, Register target, dma::Dreq request);
 
-/// `loop` is gone over to when the one that runs has come to its end. It and its words stay as they are until
-/// another one runs. Not one that lies right in front of the one that runs (has_gone_over()).
+/// `loop` follows when the one that runs has come to its end. It and its words stay as they are until another
+/// one runs. Not one that is right in front of the one that runs (has_gone_over()).
 void go_over_to(const Loop& loop);
 
 /// Whether the one that was last gone over to runs, and no other is read any more.

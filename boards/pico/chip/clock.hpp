@@ -11,7 +11,7 @@ public:
     Microseconds now() const;
     /// Sleeps, and feeds the watchdog.
     void sleep_until(Microseconds moment) const;
-    /// Likewise, but for a second at the most, and only until any interrupt has come.
+    /// The same, but for at most a second, and only until any interrupt has come.
     void doze_until(Microseconds moment) const;
 };
 

@@ -20,10 +20,10 @@ struct PllSetting {
 inline constexpr PllSetting system_pll{125, 6, 2};
 inline constexpr PllSetting usb_pll{100, 5, 5};
 
-/// Of the processor, the memory, the DMA, the PIO, and of SPI and UART.
+/// The clock of the processor, the memory, the DMA, the PIO, SPI and UART.
 inline constexpr std::uint32_t system_hz = system_pll.hz();
 static_assert(system_hz == rp2040::default_hz);
-/// Of USB and the analogue-to-digital converter.
+/// The clock of USB and the analogue-to-digital converter.
 inline constexpr std::uint32_t usb_hz = usb_pll.hz();
 static_assert(usb_hz == 48'000'000);
 

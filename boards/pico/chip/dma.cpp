@@ -27,7 +27,7 @@ void start(std::span<const std::byte> bytes, DataSize piece, Register target, Dr
 bool busy()
 {
     const bool result = (channel.al1_ctrl().read() & ctrl_busy) != 0;
-    std::atomic_signal_fence(std::memory_order_acquire); // nobody writes to the bytes before
+    std::atomic_signal_fence(std::memory_order_acquire); // nothing writes to the bytes before
     return result;
 }
 

@@ -6,7 +6,7 @@
 
 namespace kfast::pico::dma {
 
-/// Who asks for the next piece: the numbers of the chip's table of DREQs. `permanent`: nobody, at once.
+/// What requests the next piece: the numbers of the chip's table of DREQs. `permanent`: nothing, at once.
 enum class Dreq : std::uint32_t { pio0_tx0 = 0, spi0_tx = 16, spi1_tx = 18, permanent = 0x3F };
 
 /// What is written at once: 1, 2 or 4 bytes.
@@ -21,7 +21,7 @@ struct Channel {
     constexpr Register trans_count() const { return at(0x08); }
     constexpr Register ctrl_trig() const { return at(0x0C); }
     constexpr Register al1_ctrl() const { return at(0x10); }
-    // The two lie side by side, 8 bytes aligned to 8.
+    // The two are adjacent, 8 bytes aligned to 8.
     constexpr Register al3_trans_count() const { return at(0x38); }
     constexpr Register al3_read_addr_trig() const { return at(0x3C); }
 

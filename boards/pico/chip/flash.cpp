@@ -54,7 +54,7 @@ private:
     Step* flush_cache_ = boot_rom::function<Step>('F', 'C');
 };
 
-// Of the unit that speaks with the flash chip (SSI); in command mode the boot ROM has set it up for bytes,
+// The unit that communicates with the flash chip (SSI); in command mode the boot ROM has set it up for bytes,
 // one in for each one out.
 constexpr Register ssi_sr{0x1800'0028};
 constexpr Register ssi_dr0{0x1800'0060};
@@ -78,7 +78,7 @@ public:
     Selected& operator=(const Selected&) = delete;
 };
 
-/// Sends a byte, and returns what the chip said meanwhile.
+/// Sends a byte, and returns what the chip sent meanwhile.
 std::byte exchange(std::uint8_t byte)
 {
     ssi_dr0.write(byte);

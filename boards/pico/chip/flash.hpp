@@ -16,7 +16,7 @@ inline constexpr std::size_t page_bytes = 256;
 /// are multiples of sector_bytes, or nothing is done and the board stops with a fault.
 void erase(std::uint32_t offset, std::size_t count);
 
-/// Writes pages, which were erased before. `bytes` lies in RAM; the offset and its size are multiples of
+/// Writes pages, which were erased before. `bytes` is in RAM; the offset and its size are multiples of
 /// page_bytes, or nothing is done and the board stops with a fault.
 void program(std::uint32_t offset, std::span<const std::byte> bytes);
 

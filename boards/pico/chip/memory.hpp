@@ -11,7 +11,7 @@ namespace kfast::pico::memory {
 std::span<std::byte> player_block();
 /// 24 rows of 320 colours each, 32 of 240.
 std::array<std::span<std::byte>, 2> bands();
-/// Where the built-in scene lies: 256 KiB of flash.
+/// Where the built-in scene is: 256 KiB of flash.
 std::span<const std::byte> scene_region();
 
 }

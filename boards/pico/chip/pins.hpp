@@ -7,7 +7,7 @@
 
 namespace kfast::pico {
 
-/// What a pin is led to: FUNCSEL, the numbers of the chip's function table.
+/// What a pin is connected to: FUNCSEL, the numbers of the chip's function table.
 enum class PinFunction : std::uint32_t { spi = 1, uart = 2, i2c = 3, pwm = 4, sio = 5, pio0 = 6, null = 31 };
 
 /// The electrics of a pin.
@@ -18,15 +18,15 @@ enum class Pad : std::uint32_t {
     converter_input ///< no digital input and no pull: a voltage between the levels would only waste current
 };
 
-/// GPIOn_CTRL of IO_BANK0: what the pin is led to (FUNCSEL), and what is forced upon it (OUTOVER).
+/// GPIOn_CTRL of IO_BANK0: what the pin is connected to (FUNCSEL), and what is forced on it (OUTOVER).
 constexpr Register gpio_ctrl(Pin pin) { return Register{0x4001'4004 + 8u * pin}; }
 inline constexpr std::uint32_t gpio_ctrl_outover_low = 2 << 8;
 inline constexpr std::uint32_t gpio_ctrl_outover_high = 3 << 8;
 
-/// Leads the pin to the function. Nothing for no_pin.
+/// Connects the pin to the function. Does nothing for no_pin.
 void connect(Pin pin, PinFunction function, Pad pad);
 
-/// A pin that the program drives. One without a pin swallows what it is told.
+/// A pin that the program drives. Without a pin it does nothing.
 class OutputPin {
 public:
     /// Drives the pin high from the beginning.

@@ -9,7 +9,7 @@ namespace kfast::pico::pio {
 inline constexpr std::uint32_t side_0 = 0 << 12;
 inline constexpr std::uint32_t side_1 = 1 << 12;
 
-/// The instruction takes so many cycles, 1 … 16.
+/// The instruction takes that many cycles, 1 … 16.
 constexpr std::uint32_t lasting(std::uint32_t cycles) { return (cycles - 1) << 8; }
 
 constexpr std::uint32_t jmp(std::uint32_t to) { return 0x0000 | to; }

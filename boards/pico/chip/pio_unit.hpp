@@ -16,10 +16,10 @@ constexpr Register instr_mem(std::uint32_t at) { return Register{0x5020'0048 + 4
 inline constexpr std::uint32_t ctrl_sm_enable = 1 << 0;
 inline constexpr std::uint32_t ctrl_sm_restart = 1 << 4;
 inline constexpr std::uint32_t ctrl_clkdiv_restart = 1 << 8;
-// In `fstat`, likewise.
+// In `fstat`, of machine 0, too.
 inline constexpr std::uint32_t fstat_txfull = 1 << 16;
 inline constexpr std::uint32_t fstat_txempty = 1 << 24;
-// In `fdebug`, likewise; kept until a 1 is written.
+// In `fdebug`, of machine 0, too; kept until a 1 is written.
 inline constexpr std::uint32_t fdebug_txstall = 1 << 24;
 
 struct Machine {

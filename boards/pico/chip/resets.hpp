@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// The chip's units rest in reset until somebody needs them.
+/// The chip's units stay in reset until they are needed.
 namespace kfast::pico::resets {
 
 // RESETS, and the bits of its registers

@@ -5,7 +5,7 @@ namespace kfast::pico::watchdog {
 
 void start();
 void feed();
-/// Now, and from the boot ROM on.
+/// Reboots now, from the boot ROM on.
 [[noreturn]] void reboot();
 
 }

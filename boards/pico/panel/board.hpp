@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    /// While no frames are drawn.
+    /// To be called while no frames are drawn.
     void stand_by()
     {
         if (playback().brightness() == brightness_)

@@ -20,7 +20,7 @@ struct SpiRate {
     constexpr std::uint32_t hz() const { return system_hz / (prescale * divisor); }
 };
 
-/// `hz` lies within clock_range(BusKind::spi).
+/// `hz` is within clock_range(BusKind::spi).
 constexpr SpiRate spi_rate(std::uint32_t hz)
 {
     const std::uint32_t cycles = divided_up(system_hz, hz);
@@ -37,7 +37,7 @@ struct I2cRate {
 };
 
 /// Low for 3/5 of the period, as fast mode (400 kHz: 1.3 µs of 2.5 µs) and fast mode plus need it.
-/// `hz` lies within clock_range(BusKind::i2c).
+/// `hz` is within clock_range(BusKind::i2c).
 constexpr I2cRate i2c_rate(std::uint32_t hz)
 {
     const std::uint32_t cycles = divided_up(system_hz, hz);
@@ -61,7 +61,7 @@ struct WriteCycle {
 };
 
 /// The shortest has WR low for 32 ns and high for 40 ns, 24 of them with the data that was taken.
-/// `hz` lies within clock_range(BusKind::parallel_8).
+/// `hz` is within clock_range(BusKind::parallel_8).
 constexpr WriteCycle write_cycle(std::uint32_t hz)
 {
     const std::uint32_t system_cycles = divided_up(system_hz, hz);

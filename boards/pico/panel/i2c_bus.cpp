@@ -49,9 +49,9 @@ constexpr std::uint32_t ic_status_mst_activity = 1 << 5;
 
 constexpr std::uint32_t refill_at = 4; // bytes left, 90 us at 400 kHz
 
-// Pulses up to 56 ns are noise: I²C asks for 50.
+// Pulses up to 56 ns are noise: I²C requires 50.
 constexpr std::uint32_t spike_cycles = 7;
-// 312 ns after SCL has fallen: the displays ask for 300.
+// 312 ns after SCL has fallen: the displays require 300.
 constexpr std::uint32_t hold_cycles = 39;
 
 constexpr std::uint32_t command_follows = 0x00;
@@ -63,7 +63,7 @@ const std::byte* volatile next_byte = nullptr;
 const std::byte* volatile last_byte = nullptr;
 volatile bool was_aborted = false;
 
-bool is_display_missing = false; // and the log has told so
+bool is_display_missing = false; // and the log has reported it
 
 void wait_half_pulse()
 {

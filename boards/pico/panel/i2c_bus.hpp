@@ -9,9 +9,9 @@
 namespace kfast::pico {
 
 /// A display on I2C0 or I2C1, whichever the clock pin belongs to. D/C is a control byte before every
-/// transfer: 0x00 for commands, 0x40 for data, as SSD1306 and its kin take it. Interrupts feed the unit. A
-/// transfer that no display answers ends early, and the next one is tried all the same; the log tells of the
-/// first such one, and of the first after the display has answered again.
+/// transfer: 0x00 for commands, 0x40 for data, as SSD1306 and its like take it. Interrupts feed the unit. A
+/// transfer that no display answers ends early, and the next one is tried all the same; the log reports the
+/// first such one, and the first after the display has answered again.
 class I2cBus {
 public:
     /// The settings keep all rules (board_rules.hpp) and are for I²C. There is one bus. Frees the wires from

@@ -34,7 +34,7 @@ struct PanelDisplay {
                           LiveInputBoard<B>);
             run_scenes(board);
         });
-        __builtin_unreachable(); // the board wants to run for ever
+        __builtin_unreachable(); // the board runs for ever
     }
 };
 

@@ -34,7 +34,7 @@ void load_program(const WriteCycle& cycle)
     machine.execctrl().write((program.size() - 1) << pio::execctrl_wrap_top_lsb);
 }
 
-// A byte counts as one piece, a word of two bytes as another: the machine forgets what it has taken of the
+// A byte counts as one piece, a word of two bytes as another: the machine drops what it has taken of the
 // last one, or it would send the rest of it.
 void run_with_pieces_of(std::uint32_t bits)
 {

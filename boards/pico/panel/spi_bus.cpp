@@ -91,7 +91,7 @@ void SpiBus::start_words(std::span<const std::byte> words)
 }
 
 // The unit still sends when the last piece is in its FIFO. What it receives meanwhile overruns the other
-// FIFO, which harms nothing.
+// FIFO, which does no harm.
 bool SpiBus::busy() const { return dma::busy() || (unit_of(unit_).sspsr().read() & sspsr_bsy) != 0; }
 
 // The size of frames changes while nothing is sent, but without a halt of the unit: the clock line must not

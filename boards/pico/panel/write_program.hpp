@@ -9,8 +9,8 @@
 /// Instructions for a state machine of the PIO that writes bytes to an 8080 bus. Its side-set pin is WR.
 namespace kfast::pico::pio {
 
-/// Loops. It waits for data at the first instruction, where WR is high: the bus stands still as displays like
-/// it, and the byte before has been taken.
+/// Loops. It waits for data at the first instruction, where WR is high: the bus is idle as displays require,
+/// and the byte before has been taken.
 constexpr std::array<std::uint32_t, 3> write_program(const WriteCycle& cycle)
 {
     return {

@@ -47,7 +47,7 @@ link::PlaybackSession& Computer::playback() const { return *playback_session; }
 
 void Computer::serve() const
 {
-    watchdog::feed(); // looking at large scenes takes long
+    watchdog::feed(); // checking large scenes takes long
     link_service->serve([this] { return clock_.now(); });
     if (playback_session->is_to_leave(clock_.now()))
         boot_rom::become_drive();

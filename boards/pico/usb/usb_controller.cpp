@@ -25,7 +25,7 @@ constexpr Register ints{0x5011'0098};
 constexpr std::uint32_t main_ctrl_controller_en = 1 << 0; // of a device: the host's bit is 0
 
 constexpr std::uint32_t sie_ctrl_pullup_en = 1 << 16;
-constexpr std::uint32_t sie_ctrl_ep0_int_1buf = 1 << 29; // also packets of endpoint 0 are told in BUFF_STATUS
+constexpr std::uint32_t sie_ctrl_ep0_int_1buf = 1 << 29; // also packets of endpoint 0 are in BUFF_STATUS
 
 // In SIE_STATUS writing clears.
 constexpr std::uint32_t sie_status_suspended = 1 << 4;
@@ -36,7 +36,7 @@ constexpr std::uint32_t sie_status_bus_reset = 1 << 19;
 constexpr std::uint32_t usb_muxing_to_phy = 1 << 0;
 constexpr std::uint32_t usb_muxing_softcon = 1 << 3;
 
-// No pin of the chip tells whether the plug has power: believe so, as all power comes from there.
+// No pin of the chip shows whether the plug has power: assume so, as all power comes from there.
 constexpr std::uint32_t usb_pwr_vbus_detect = 1 << 2;
 constexpr std::uint32_t usb_pwr_vbus_detect_override_en = 1 << 3;
 
@@ -78,10 +78,10 @@ constexpr std::uint32_t packet_offset(Endpoint endpoint)
 
 std::byte* place_in_dpram(std::uint32_t offset) { return reinterpret_cast<std::byte*>(dpram + offset); }
 
-/// A cycle of 48 MHz at the least, so that the unit sees the rest of the word before what follows.
+/// At least a cycle of 48 MHz, so that the unit sees the rest of the word before what follows.
 void let_unit_see()
 {
-    // Written out, for the compiler counts lines to know how far it can branch.
+    // Written out, because the compiler counts lines to know how far it can branch.
     asm volatile("nop\n nop\n nop\n nop\n nop\n nop\n" ::: "memory");
     asm volatile("nop\n nop\n nop\n nop\n nop\n nop\n" ::: "memory");
 }
@@ -175,7 +175,7 @@ bool UsbController::read_setup(std::span<std::byte, usb::setup_bytes> packet)
 {
     if ((sie_status.read() & sie_status_setup_rec) == 0)
         return false;
-    sie_status.clear(sie_status_setup_rec); // before it is read: if one more comes meanwhile, it is told, too
+    sie_status.clear(sie_status_setup_rec); // before it is read: if one more comes meanwhile, it counts, too
     std::atomic_signal_fence(std::memory_order_acquire);
     std::copy_n(place_in_dpram(0), packet.size(), packet.begin());
     forget(Endpoint::control_in, true);

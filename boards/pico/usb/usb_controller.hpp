@@ -11,7 +11,7 @@
 
 namespace kfast::pico {
 
-/// The place of an endpoint in all tables of the unit, and in its registers.
+/// The index of an endpoint in all tables of the unit, and in its registers.
 constexpr std::uint32_t place_of(usb::Endpoint endpoint)
 {
     return 2 * usb::number_of(endpoint) + (is_in(endpoint) ? 0 : 1);
@@ -19,7 +19,7 @@ constexpr std::uint32_t place_of(usb::Endpoint endpoint)
 
 constexpr std::uint32_t bit_of(usb::Endpoint endpoint) { return 1U << place_of(endpoint); }
 
-/// The chip's unit for USB as a device with two endpoints of its own: firmware/usb/controller.hpp tells what
+/// The chip's unit for USB as a device with two endpoints of its own: firmware/usb/controller.hpp says what
 /// it does. All of it begins as zeros.
 class UsbController {
 public:
@@ -37,7 +37,7 @@ public:
     void stall(usb::Endpoint endpoint);
     void set_address(std::uint8_t address);
 
-    /// Tells a HidDevice what has happened. What ended before a transfer begins is told before it.
+    /// Reports to a HidDevice what has happened. What ended before a transfer begins is reported before it.
     template <class Device>
     void dispatch_events(Device& device)
     {

@@ -8,7 +8,7 @@
 
 namespace kfast::pico {
 
-/// The reports that a computer and this board send each other over USB: firmware/usb/hid_device.hpp tells
+/// The reports that a computer and this board send each other over USB: firmware/usb/hid_device.hpp says
 /// more. An interrupt wakes the board when one comes.
 class UsbReports {
 public:

@@ -116,7 +116,7 @@ struct StrokeOutline::Bend {
 
     /// Whether the inner sides cross between the ends of both pieces, the shorter of which is `length` long;
     /// the far halves are left to what the other ends may need. They cross |to - from| / 2 / cos(a/2) before
-    /// the bend, for a rotation by a.
+    /// the bend, for a bend by a.
     bool crosses_within(std::uint32_t length, bool is_slight) const
     {
         const Point apart = to - from;
@@ -270,7 +270,7 @@ void StrokeOutline::add_outer(const Bend& bend)
     add(outer, last_ - bend.to);
 }
 
-/// A miter is 1 / cos(a/2) half widths long, for a rotation by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip
+/// A miter is 1 / cos(a/2) half widths long, for a bend by a, and 2 cos^2(a/2) is 1 + cos(a). Its tip
 /// stays in the range of Fixed: corners are within 16383 px.
 bool StrokeOutline::has_miter(std::uint32_t rest) const
 {

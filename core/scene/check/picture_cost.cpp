@@ -19,7 +19,7 @@ constexpr std::uint32_t per_track_with_new_keys = 256;
 constexpr std::uint32_t per_bone = 2048;
 constexpr std::uint32_t per_border = 48;
 
-/// No product of it and what a point takes overflows; more is dearer than the dearest picture anyway.
+/// The product of it and the cost of a point does not overflow; more exceeds the maximum cost anyway.
 constexpr std::uint32_t max_points = 1U << 20;
 
 constexpr std::uint32_t max_keys = 1U << 24; ///< no product of it overflows

@@ -37,7 +37,7 @@ public:
 
 private:
     static constexpr std::uint32_t for_any_scene = 1U << 18;
-    static constexpr std::uint32_t per_byte = 2; ///< drawings and keys as the compiler writes them take less
+    static constexpr std::uint32_t per_byte = 2; ///< drawings and keys as the compiler writes them need less
 
     std::uint32_t left_;
 };
@@ -174,12 +174,12 @@ bool is_label_valid(const LabelView& label, const TextInput& text);
 
 // About drawings that have been checked, at offsets in a scene's section of drawings:
 
-/// Whether they have as many strokes, with the same segments of the same kinds.
+/// Whether they have equally many strokes, with equally many segments of the same kinds.
 bool is_built_alike(std::span<const std::byte> drawings, std::uint32_t one, std::uint32_t other);
 
 bool has_only_lines(std::span<const std::byte> drawings, std::uint32_t offset);
 
-/// Whether it has three strokes of lines for each backbone, with as many points, at least two.
+/// Whether it has three strokes of lines for each backbone, with equally many points, at least two.
 bool are_backbones(std::span<const std::byte> drawings, std::uint32_t offset);
 
 }

@@ -28,7 +28,7 @@ std::vector<DeviceAddress> attached_for(const std::vector<std::string>& names);
 
 Milliseconds last_patience(const DeviceOptions& options);
 
-/// The devices of a command, which are left in order when it is interrupted. One at a time.
+/// The devices of a command, which are closed properly when it is interrupted. One object at a time.
 class OpenDevices {
 public:
     /// Throws what chosen_addresses() and open_device() throw.

@@ -17,7 +17,7 @@ nlohmann::ordered_json playing_json(const link::Playing& playing);
 /// Whether the device's laser may shine; null if it has none.
 nlohmann::ordered_json armed_json(const link::Playing& playing);
 
-/// Prints what each device plays by now, as the options want it.
+/// Prints what each device plays now, in the form that the options choose.
 void print_playing(std::span<RemoteDevice> devices, const DeviceOptions& options);
 
 }

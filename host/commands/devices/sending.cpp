@@ -45,7 +45,7 @@ void ProgressBar::draw(std::size_t done)
 
 namespace {
 
-/// What gave way to the scene plays again.
+/// Lets what the scene replaced play again.
 void take_back(RemoteDevice& device, std::uint8_t tag)
 {
     device.session().take_leave(link::report_of(link::Cancel{}, tag));

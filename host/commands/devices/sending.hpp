@@ -18,18 +18,18 @@
 
 namespace kfast {
 
-/// One line at the end of a terminal that says how far something has come that brings bytes to devices, to
-/// all of them together. It goes away with the bar.
+/// One line at the end of a terminal that shows the progress of sending bytes to devices, to all of them
+/// together. It goes away with the bar.
 class ProgressBar {
 public:
     enum class Shown { no, on_a_terminal };
 
-    /// To standard error. `bytes` go to each of so many devices. `what` stands in front: "writing ".
+    /// Writes to standard error. `bytes` go to each of `devices`. `what` comes first: "writing ".
     ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, std::string what = {});
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// For what goes to one of the devices; may be called from any thread.
+    /// The callback for what goes to one of the devices; may be called from any thread.
     ByteProgressCallback of_device(std::size_t index);
 
 private:
@@ -45,7 +45,7 @@ private:
     bool is_shown_;
     Driver::time_point begin_;
     Driver::time_point drawn_;
-    std::string what_; ///< stands in front
+    std::string what_; ///< comes first
 };
 
 inline ProgressBar::Shown shown_progress(const DeviceOptions& options)
@@ -53,7 +53,7 @@ inline ProgressBar::Shown shown_progress(const DeviceOptions& options)
     return options.quiet || options.json ? ProgressBar::Shown::no : ProgressBar::Shown::on_a_terminal;
 }
 
-/// A scene that has come into the RAM of all devices. What played before may have given way to it.
+/// A scene that is in the RAM of all devices. It may have replaced what played before.
 class SentScene {
 public:
     /// Sends it, with a progress bar if the options allow it. Throws what upload_scene() throws; then it is

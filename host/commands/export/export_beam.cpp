@@ -105,7 +105,7 @@ namespace {
 
 /// 21 minutes at 48 kHz: much less than a WAV can hold, but it takes memory.
 constexpr std::uint64_t max_samples = 60'000'000;
-constexpr std::uint64_t min_samples = 16; ///< BeamPlayer needs room for so many points
+constexpr std::uint64_t min_samples = 16; ///< BeamPlayer needs room for that many points
 
 std::uint64_t chosen_length(const ExportOptions& options, const Timeline& timeline)
 {

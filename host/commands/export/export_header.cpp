@@ -25,7 +25,7 @@ namespace kfast {
 
 namespace {
 
-/// What a scene is called where it becomes source.
+/// The names of a scene as source code.
 struct SceneHeader {
     std::string name;   ///< of the array
     std::string source; ///< of the file it was made from

@@ -5,7 +5,7 @@
 
 namespace kfast {
 
-/// `name`, if it can be the name of an array in C and in C++, with a few letters behind it too; else throws
+/// `name`, if it can be the name of an array in C and in C++, also with a few letters after it; else throws
 /// CLI::ValidationError for the option --array-name.
 const std::string& checked_c_name(const std::string& name);
 

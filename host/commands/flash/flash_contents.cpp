@@ -25,7 +25,7 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-/// Of the controls whose actions `are_meant`.
+/// The names of the controls whose actions `are_meant`.
 Names names_of_controls(const BoardSettings& settings, bool (*are_meant)(ControlAction))
 {
     Names names;
@@ -43,7 +43,7 @@ Names named_clips(const BoardSettings& settings)
     return names;
 }
 
-/// `known` are those of the scene.
+/// `known` are the names of the scene.
 std::string hint(std::string_view name, std::string_view what, const std::vector<std::string_view>& known)
 {
     return known.empty() ? "the scene has no " + std::string{what} + 's' : visible(suggestion(name, known));

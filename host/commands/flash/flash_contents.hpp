@@ -12,7 +12,7 @@
 
 namespace kfast {
 
-/// Settings of a board, and how messages call them.
+/// Settings of a board, and their name in messages.
 struct NamedSettings {
     BoardSettings settings;
     std::string name;
@@ -32,20 +32,20 @@ struct FlashParts {
     std::string scene_name = {};
 };
 
-/// What is to be written to the flash of a Pico, and that in words.
+/// What is to be written to the flash of a Pico, and its description.
 struct FlashContents {
     std::vector<FlashRegion> regions;
     std::string words; ///< "firmware of 61532 bytes, settings of pico-st7789, scene of 303 bytes"
 };
 
-/// Prints to standard error what a person should know: firmware that does not tell for which bus it is; clips
-/// and inputs that the settings name and the scene does not have.
+/// Prints warnings to standard error: of firmware that does not say for which bus it is; of clips and inputs
+/// that the settings name and the scene does not have.
 /// Throws Failure for settings whose display is on another bus than the firmware's, and with no_room for a
 /// scene that is too large.
 FlashContents flash_contents(const FlashParts& parts);
 
 /// Settings for another bus than the firmware's would leave the display dark. Throws Failure, and warns of
-/// firmware that does not tell its bus.
+/// firmware that does not say its bus.
 void require_bus(const NamedFirmware& firmware, const NamedSettings& settings);
 
 }

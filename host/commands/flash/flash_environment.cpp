@@ -102,7 +102,7 @@ std::vector<BootBoard> rp2040s_of(std::vector<BootBoard> boards)
     return boards;
 }
 
-/// The one at the port.
+/// The board at the port.
 std::optional<BootBoard> board_at(const std::string& port, const std::vector<BootBoard>& boards)
 {
     const auto found = std::ranges::find(boards, port, &BootBoard::port);
@@ -150,7 +150,7 @@ std::vector<Uf2Drive> rp2040_drives(FlashEnvironment& environment)
     return drives;
 }
 
-/// When nothing was said.
+/// The place if none was chosen.
 FlashPlace only_place(FlashEnvironment& environment)
 {
     if (const auto board = only_board(environment.boards_in_boot_loader()))

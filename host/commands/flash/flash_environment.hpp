@@ -17,7 +17,7 @@ namespace kfast {
 /// All boards within reach, in whatever state they are, and the time that passes meanwhile. Tests have one of
 /// their own, hence virtual.
 ///
-/// Members throw what the functions throw whose names they have.
+/// Members throw what the functions of the same names throw.
 class FlashEnvironment {
 public:
     FlashEnvironment() = default;
@@ -28,7 +28,7 @@ public:
     virtual std::vector<BootBoard> boards_in_boot_loader() = 0;
     virtual std::unique_ptr<BootLoader> open_boot_loader(const BootBoard& board) = 0;
 
-    /// Those that run KFAST.
+    /// The devices that run KFAST.
     virtual std::vector<DeviceAddress> attached_devices() = 0;
     virtual RemoteDevice open_device(const DeviceAddress& address, Milliseconds last_patience) = 0;
 
@@ -45,10 +45,10 @@ public:
     virtual void wait(Milliseconds time) = 0;
 };
 
-/// That of this computer: USB, mounted drives and GPIO lines.
+/// The environment of this computer: USB, mounted drives and GPIO lines.
 std::unique_ptr<FlashEnvironment> host_flash_environment();
 
-/// Which board is meant, as far as a person has said it.
+/// Which board is meant, as far as the user has chosen it.
 struct PlaceWish {
     std::string port;   ///< of a board in its boot loader: "1-2.3"
     std::string serial; ///< of a board that runs KFAST
@@ -72,10 +72,10 @@ std::optional<BootBoard> boot_board(FlashEnvironment& environment, const std::st
 /// The drive of an RP2040, if exactly one is mounted.
 std::optional<Uf2Drive> only_drive(FlashEnvironment& environment);
 
-/// Throws Failure with no_device, which tells how a board is found.
+/// Throws Failure with no_device, which says how a board is found.
 [[noreturn]] void refuse_no_board();
 
-/// How somebody lets a Pico enter its boot loader by hand.
+/// How to let a Pico enter its boot loader by hand.
 inline constexpr const char* boot_loader_by_hand = "hold BOOTSEL while you plug the Pico in, and ask again";
 
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr Milliseconds between_looks{100};
 /// udev sets permissions, and desktops mount drives, some time after a board is seen.
 constexpr Milliseconds settling{3000};
-/// Until USB has noticed that a board has restarted.
+/// The time until USB has noticed that a board has restarted.
 constexpr Milliseconds noticing{1000};
 constexpr Milliseconds beginning_to_play{2000};
 
@@ -183,7 +183,7 @@ FlashOutcome FlashJob::run_on(const BootBoard& board)
     return outcome;
 }
 
-/// Of the only board, which cannot be opened. It has to be that of the drive.
+/// The drive of the only board, which cannot be opened.
 std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
 {
     const bool is_shut =
@@ -199,7 +199,7 @@ std::optional<Uf2Drive> FlashJob::drive_instead(const Failure& failure)
     return drive;
 }
 
-/// One that has just come may lack a permission, or not be set up yet.
+/// A boot loader that has just appeared may lack a permission, or not be set up yet.
 std::unique_ptr<BootLoader> FlashJob::opened(const BootBoard& board)
 {
     const Milliseconds end = environment_.now() + (has_just_come_ ? settling : Milliseconds{0});
@@ -269,8 +269,8 @@ void FlashJob::leave(BootLoader& boot_loader, FlashOutcome& outcome)
     outcome.restarted = true;
 }
 
-/// A boot loader stays for a moment after it has said that it restarts. Who looks for boards then is not to
-/// find it.
+/// A boot loader stays for a moment after it has reported that it restarts. A search for boards must not find
+/// it then.
 void FlashJob::restart(BootLoader& boot_loader)
 {
     boot_loader.restart();
@@ -288,7 +288,7 @@ void FlashJob::let_play_again(BootLoader& boot_loader)
         return;
     try {
         restart(boot_loader);
-    } catch (const Failure&) { // what went wrong before is what somebody should know
+    } catch (const Failure&) { // the failure before is the one to report
     }
 }
 

@@ -15,7 +15,7 @@ namespace kfast {
 
 enum class FlashPurpose { write, dry_run, verify_only };
 
-/// What a person asks for, besides what is to lie in flash.
+/// What the user asks for, besides the contents of flash.
 struct FlashOrder {
     FlashPurpose purpose = FlashPurpose::write;
     PlaceWish place;
@@ -23,7 +23,7 @@ struct FlashOrder {
     Milliseconds last_patience{10'000};            ///< for a boot loader, and for a player
 };
 
-/// What has become of flash.
+/// The result for the flash.
 struct FlashOutcome {
     std::string contents;                 ///< in words
     std::vector<std::uint32_t> addresses; ///< of the sectors of these
@@ -37,22 +37,22 @@ struct FlashOutcome {
     bool restarted = false;
 };
 
-/// What has become of the player.
+/// The result for the player.
 struct PlayerOutcome {
     std::string name;
     link::Playing playing;
     std::optional<std::uint8_t> left_slot; ///< that would have played; the built-in scene was chosen instead
 };
 
-/// Brings what a plan has to a board, from finding it to seeing it play.
+/// Writes the contents of a plan to a board, from finding it to checking that it plays.
 class FlashJob {
 public:
-    /// All must outlive it.
+    /// The arguments must outlive it.
     FlashJob(FlashEnvironment& environment, const FlashPlan& plan, const FlashOrder& order,
              const FlashProgressCallback& on_progress);
 
-    /// Finds the board and does with its flash what the order says; a board that was written to restarts. Of
-    /// a dry run no board takes notice but one that is in its boot loader, whose flash is read.
+    /// Finds the board and does with its flash what the order says; a board that was written to restarts. A
+    /// dry run affects no board but one that is in its boot loader, whose flash is read.
     ///
     /// A board that was asked to leave its player for this, and to which nothing was written, restarts as it
     /// was, also when this throws, unless its boot loader cannot be opened or has not come yet. Throws

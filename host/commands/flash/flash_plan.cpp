@@ -32,7 +32,7 @@ NamedFirmware loaded(const std::filesystem::path& file)
     return {config::load_firmware(file), file.string()};
 }
 
-/// Those that it may come down to.
+/// The buses that the settings may have.
 std::vector<BusKind> buses_of(const SettingsChoice& settings)
 {
     if (settings.is_made() && !settings.changes_board())

@@ -11,7 +11,7 @@
 
 namespace kfast {
 
-/// How far flashing has come, on standard error: a bar for each phase on a terminal, else a line when it
+/// The progress of flashing, on standard error: a bar for each phase on a terminal, else a line when it
 /// begins.
 class FlashProgress {
 public:
@@ -36,7 +36,7 @@ void print_flash_list(FlashEnvironment& environment, ListForm form);
 /// What a job has done, or would do, to flash. Several lines.
 std::string flash_text(const FlashOutcome& outcome, FlashPurpose purpose);
 std::string player_text(const PlayerOutcome& player);
-/// Of both; the player is null if it was not waited for.
+/// The results for both; the player is null if it was not waited for.
 nlohmann::ordered_json flash_json(const FlashOutcome& outcome, const std::optional<PlayerOutcome>& player);
 
 }

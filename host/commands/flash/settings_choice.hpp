@@ -13,7 +13,7 @@ namespace kfast {
 /// Adds --pin to `app`, whose parsing `pins` must outlive.
 CLI::Option* declare_pin_option(CLI::App& app, std::vector<std::string>& pins);
 
-/// How a command line says the settings of a Pico.
+/// The settings of a Pico as chosen on a command line.
 struct SettingsOptions {
     std::string config;
     std::string panel;
@@ -39,7 +39,7 @@ struct PinChange {
 /// panel or a beam, or those that a board has, with other pins.
 class SettingsChoice {
 public:
-    /// Throws Failure for a configuration that there is not, or that is wrong, and as on() does; and
+    /// Throws Failure for a configuration that does not exist or is invalid, and as on() does; and
     /// CLI::ValidationError for what is no panel or no pin.
     explicit SettingsChoice(const SettingsOptions& options);
 
@@ -48,8 +48,8 @@ public:
     /// Whether that depends on what a board has already.
     bool changes_board() const { return !base_.has_value() && !changes_.empty(); }
 
-    /// What is to be on a board that has these settings, or none; nothing if that is what it has. Throws
-    /// Failure for pins that a Pico cannot use so, naming the option, and if there is nothing to change.
+    /// The new settings of a board that has these, or none; nothing if they are the same. Throws Failure for
+    /// pins that a Pico cannot use like that, naming the option, and if there is nothing to change.
     std::optional<NamedSettings> on(const std::optional<BoardSettings>& board) const;
 
 private:

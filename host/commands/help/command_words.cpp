@@ -9,7 +9,7 @@
 namespace kfast {
 namespace {
 
-/// Among those of the command; help comes last.
+/// The position among the options of the command; help comes last.
 std::size_t place_in_lists(const OptionWords& option)
 {
     const bool is_help = std::ranges::find(option.names, "--help") != option.names.end();

@@ -30,7 +30,7 @@ struct CommandWords {
     std::string name; ///< "uf2 pack"; the whole program has none
     std::string summary;
     std::string group;
-    std::string footer;               ///< behind the help: examples
+    std::string footer;               ///< after the help: examples
     std::vector<OptionWords> options; ///< positional ones first, others by their groups (option_groups.hpp)
     std::vector<CommandWords> subcommands;
 };

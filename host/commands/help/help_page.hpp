@@ -21,8 +21,8 @@ std::string help_page(const CommandWords& command, const HelpStyle& style);
 /// The same for standard output, of a command or of kfast itself.
 std::string help_of(const CLI::App& app);
 
-/// "kfast help render" as "kfast render --help", for the parser takes the name of a command for that command,
-/// wherever it stands. `arguments` are those of main().
+/// "kfast help render" as "kfast render --help", because the parser takes the name of a command for that
+/// command, wherever it is. `arguments` are those of main().
 std::vector<std::string> with_help_as_option(std::vector<std::string> arguments);
 
 }

@@ -13,7 +13,7 @@
 namespace kfast {
 namespace {
 
-/// As roff has it: hyphens that can be typed, and no letter that is a command (groff_char(7), groff(7)).
+/// The text for roff: hyphens that can be typed, and no letter that is a command (groff_char(7), groff(7)).
 std::string plain(std::string_view text)
 {
     std::string escaped;
@@ -116,7 +116,7 @@ std::string options_sections(const CommandWords& command)
     return text;
 }
 
-/// What the help shows behind "Example:".
+/// What the help shows after "Example:".
 std::string examples_of(const CommandWords& command)
 {
     const std::size_t begin = command.footer.find("Example:\n");

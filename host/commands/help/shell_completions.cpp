@@ -67,7 +67,7 @@ std::string cases_of(const CommandWords& command)
     return text;
 }
 
-/// Of the commands that others follow.
+/// The names of the commands that have subcommands.
 std::string names_of_holders(const CommandWords& kfast)
 {
     std::string names;
@@ -272,7 +272,7 @@ std::string condition(const std::string& command)
     return text;
 }
 
-/// Likewise, and none of those inside of it follows yet.
+/// The same, and none of those inside of it follows yet.
 std::string condition_of_inner(const CommandWords& command)
 {
     std::string text = condition(command.name) + "; and not __fish_seen_subcommand_from";
@@ -283,7 +283,7 @@ std::string condition_of_inner(const CommandWords& command)
 
 std::string when(const std::string& condition) { return " -n " + single_quoted(condition); }
 
-/// "-a" with what may stand there.
+/// "-a" with the possible values.
 std::string values(const OptionWords& option)
 {
     std::string words;

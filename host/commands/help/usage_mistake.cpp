@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array renamed_options{
     OldName{"check", "--format", "--json", "json"},
-    OldName{"check", "--format", "", "text"}, // the default by now
+    OldName{"check", "--format", "", "text"}, // now the default
     OldName{"check", "--name", "--stdin-filename"},
     OldName{"check", "--size", "--canvas"},
     OldName{"compile", "--size", "--canvas"},
@@ -47,7 +47,7 @@ std::string written(const OldName& name)
     return std::string{name.before} + (name.value.empty() ? "" : ' ' + std::string{name.value});
 }
 
-/// The rest of a command line, which is turned into what it says in the words of now.
+/// The rest of a command line, whose options are renamed to the current names.
 class Renaming {
 public:
     Renaming(std::span<const char* const> arguments, std::string_view command, std::ostream& notes)
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// None for an option that is not needed any more.
+    /// Nothing for an option that is not needed any more.
     std::optional<std::string> word_of_now(std::string_view word)
     {
         const std::size_t sign = std::min(word.find('='), word.size());
@@ -154,7 +154,7 @@ std::string_view unknown_option(const std::vector<std::string>& known, std::span
     return {};
 }
 
-/// One that may be meant, or else those of the same kind, long or short.
+/// The option that may be meant, or else those of the same kind, long or short.
 std::string hint_of(std::string_view unknown, const std::vector<std::string>& known)
 {
     std::vector<std::string_view> alike;
@@ -170,7 +170,7 @@ bool is_whole(std::string_view number)
     return !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
 }
 
-/// Of what is wrong with "12,x", the numbers of an option or an argument as CLI11 joins them.
+/// The message for "12,x", the numbers of an option or an argument as CLI11 joins them.
 std::string wrong_number(std::string_view numbers)
 {
     for (std::string_view rest = numbers; !rest.empty();) {
@@ -182,7 +182,7 @@ std::string wrong_number(std::string_view numbers)
     return std::string{numbers} + " is out of range";
 }
 
-/// Of "Could not convert: --frame = 1e3", which all options for whole numbers have in common.
+/// The message for "Could not convert: --frame = 1e3", which all options for whole numbers have in common.
 std::string conversion_mistake(std::string_view what)
 {
     constexpr std::string_view begin = "Could not convert: ";
@@ -194,8 +194,8 @@ std::string conversion_mistake(std::string_view what)
            wrong_number(what.substr(at + middle.size()));
 }
 
-/// Of "Exactly 1 option from [--ild,--wav] is required" and of too many of them: "choose one of --ild,
-/// --wav".
+/// The message for "Exactly 1 option from [--ild,--wav] is required" and for too many of them: "choose one
+/// of --ild, --wav".
 std::string choice_mistake(std::string_view what)
 {
     const std::size_t begin = what.find("[--");
@@ -208,7 +208,7 @@ std::string choice_mistake(std::string_view what)
     return text;
 }
 
-/// However many they are: nobody knows what there is who has no command yet.
+/// All, however many they are: without a command the user does not know what there is.
 std::string list_of_all(std::span<const std::string_view> names)
 {
     std::string list = names.empty() ? "nothing is allowed here" : "allowed:";

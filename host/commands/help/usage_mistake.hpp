@@ -9,13 +9,13 @@
 
 namespace kfast {
 
-/// How an option was written in the last version. It goes on working for one more, with a note, and neither
-/// the help nor completions have it.
+/// How an option was written in the last version. It works for one more, with a note, and neither the help
+/// nor completions have it.
 struct OldName {
     std::string_view command;
     std::string_view before;     ///< "--fit"
     std::string_view now;        ///< "--scaling"; empty: `before value` is what happens without it
-    std::string_view value = {}; ///< the one that the flag `now` stands for, as --json for --format json
+    std::string_view value = {}; ///< the one that the flag `now` replaces, as --json replaces --format json
 };
 
 std::span<const OldName> old_names();
@@ -25,7 +25,7 @@ std::span<const OldName> old_names();
 std::vector<std::string> with_names_of_now(std::span<const char* const> arguments, std::ostream& notes);
 
 /// Throws Failure for a word that is no command, with the one that may be meant or all that there are.
-/// Options are not looked at. CLI11 alone would name neither the word nor the commands.
+/// Options are not checked. CLI11 alone would name neither the word nor the commands.
 void require_command_among(std::span<const std::string_view> known, std::string_view word);
 
 /// What is wrong with how `command` was called, in place of what CLI11 says of it: an option that it does not

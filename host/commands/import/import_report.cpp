@@ -24,7 +24,7 @@ Json losses_of(const art::Losses& losses)
     return list;
 }
 
-/// Of the longer side: 1/16 px of it is half a pixel on the usual displays.
+/// Of the longer side: 1/16 px of it is half a pixel on common displays.
 constexpr int coarse_canvas = 32;
 
 std::string advice(const ImportReport& report)

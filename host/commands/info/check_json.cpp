@@ -19,7 +19,7 @@ Json place_of(std::string_view text, std::size_t offset)
     return {{"line", at.line}, {"column", at.column}};
 }
 
-/// How editors count that speak the Language Server Protocol: lines and UTF-16 code units from 0.
+/// As in the Language Server Protocol: lines and UTF-16 code units from 0.
 Json position_of(std::string_view text, std::size_t offset)
 {
     offset = std::min(offset, text.size());

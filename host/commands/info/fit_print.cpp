@@ -173,7 +173,7 @@ std::string json_text(const FitFacts& facts) { return json_text(facts_of(facts))
 
 namespace {
 
-/// How often as wide as the field.
+/// The length in widths of the field.
 double fields(std::uint64_t length) { return static_cast<double>(length) / field_side; }
 
 Json picture_facts(const BeamMoment& picture, const BeamProfile& profile)

@@ -27,7 +27,7 @@ try {
     throw Failure(path + ": no proper ILDA file: " + reason.what());
 }
 
-/// Of the field's side, which is 65536 units.
+/// In percent of the field's side, which is 65536 units.
 double percent(double length) { return std::round(length * 1000 / field_side) / 10; }
 
 Json point_facts(FieldPoint at) { return {{"x", at.x}, {"y", at.y}}; }

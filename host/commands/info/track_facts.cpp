@@ -54,7 +54,7 @@ std::string value_text(const Json& value)
     return value.is_string() ? value.get<std::string>() : rounded_text(value.get<double>());
 }
 
-/// That of all ways, if they share one.
+/// The law between all keys, if it is the same.
 std::string common_law(const Json& keys)
 {
     const std::string first = keys.front().value("law", "");

@@ -10,13 +10,13 @@
 
 namespace kfast {
 
-/// What a track of `scene` says, in the words and units of the scene language:
+/// A track of `scene` in the words and units of the scene language:
 ///
 ///     {"property": "y", "value": 5}
 ///     {"property": "y", "smooth": true, "keys": [{"at": 0, "value": 40}, {"at": 15, "value": 200}]}
 ///     {"property": "y", "smooth": false, "keys": [{"at": 0, "value": 40, "law": "hold"}, …]}
 ///
-/// No law governs a last key, nor what jumps.
+/// A last key has no law, nor have values that jump.
 nlohmann::ordered_json track_facts(const SceneView& scene, const TrackView& track);
 
 /// "5", "smooth: 0 40, 15 200", "accelerate: 0 40, 15 200", or with laws that differ "0 40 hold, 15 200
@@ -27,7 +27,7 @@ std::string track_text(const nlohmann::ordered_json& facts);
 void add_input(const SceneView& scene, Driver clock, nlohmann::ordered_json& facts);
 /// Adds the name at that place as "name", if there is one.
 void add_name(const std::vector<std::string>& names, std::size_t place, nlohmann::ordered_json& facts);
-/// Behind the number of what has such a name: ` "torso"`; empty without one.
+/// The text after the number of what has such a name: ` "torso"`; empty without one.
 std::string name_behind(const nlohmann::ordered_json& facts);
 
 }

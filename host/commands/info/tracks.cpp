@@ -72,7 +72,7 @@ class ItemSummary {
 public:
     explicit ItemSummary(const SceneFile& scene) : scene_{scene} {}
 
-    /// `path` is that of what the items lie in: "", "2.1."
+    /// `path` is that of what the items are in: "", "2.1."
     Json of(ItemCursor cursor, const std::string& path)
     {
         Json items = Json::array();

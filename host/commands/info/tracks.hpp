@@ -7,14 +7,14 @@
 
 namespace kfast {
 
-/// What moves in `scene`: all items in their order, with what lies in groups, and those of the symbols.
+/// What moves in `scene`: all items in their order, with the contents of groups, and those of the symbols.
 ///
 ///     {"items": [{"item": "group 1", "tracks": […], "items": [{"item": "object 1.1", "tracks": […]}]},
 ///                {"item": "use 2", "symbol": 1, "tracks": […]}],
 ///      "symbols": [{"symbol": 1, "items": […]}]}
 ///
 /// What has a name has that as "name" besides. Tracks are those of track_facts(), that of a path with its
-/// "length" in pixels and whether the item turns
+/// "length" in pixels and whether the item rotates
 /// ("turn").
 nlohmann::ordered_json item_tracks(const SceneFile& scene);
 

@@ -14,19 +14,19 @@
 
 namespace kfast {
 
-/// Of all inputs of a scene that are of this type, in its order. They live as long as the scene's bytes.
+/// The names of all inputs of this type, in the scene's order. They live as long as the scene's bytes.
 std::vector<std::string_view> input_names(const SceneView& scene, InputType type);
 
-/// In NAME=WHAT, where the sign between them stands; npos if there is none. Names may have one as well, and
-/// so may what follows: behind the longest name of an input that fits, else the last one.
+/// The position of the sign in NAME=WHAT; npos if there is none. Names may have one as well, and so may what
+/// follows: the one after the longest name of an input that fits, else the last one.
 std::size_t end_of_input_name(std::string_view text, const SceneView& scene);
 
-/// What numbers and texts among the inputs of a scene are, as chosen by --input NAME=VALUE.
+/// The values of the numbers and texts among the inputs of a scene, as chosen by --input NAME=VALUE.
 struct InputOptions {
     std::vector<std::string> texts; ///< as they are written
 };
 
-/// What one input is.
+/// The value of one input.
 struct InputValue {
     std::int32_t number = 0; ///< in 1/1000
     std::string text = {};   ///< only of a text; UTF-8
@@ -35,11 +35,11 @@ struct InputValue {
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_input_options(CLI::App& app, InputOptions& options);
 
-/// Throws CLI::ValidationError if one of InputOptions::texts names an input that the scene has not.
+/// Throws CLI::ValidationError if one of InputOptions::texts names an input that the scene does not have.
 void require_input(const std::string& text, const SceneView& scene);
 
-/// The value of each input of the scene: as chosen, else the usual one; of a drawing, nothing. Throws
-/// CLI::ValidationError for an input that the scene has not, and for a value that it does not take.
+/// The value of each input of the scene: as chosen, else the default; of a drawing, nothing. Throws
+/// CLI::ValidationError for an input that the scene does not have, and for a value that it does not take.
 std::vector<InputValue> chosen_inputs(const InputOptions& options, const SceneView& scene);
 
 /// Applies them to `receiver`.
@@ -50,29 +50,29 @@ struct DrawingOptions {
     std::vector<std::string> texts; ///< as they are written
 };
 
-/// What one of them is.
+/// The value of one of them.
 struct DrawingValue {
     std::uint32_t number = 0; ///< of the input
     ReceivedDrawing drawing;
-    std::string file; ///< where it stood
+    std::string file; ///< where it was read from
 };
 
 /// Adds the option to `app`. `options` must outlive its parsing.
 void declare_drawing_options(CLI::App& app, DrawingOptions& options);
 
-/// Of one of DrawingOptions::texts, the file. Throws CLI::ValidationError if none is named.
+/// The file of one of DrawingOptions::texts. Throws CLI::ValidationError if none is named.
 std::filesystem::path drawing_file(const std::string& text, const SceneView& scene);
-/// Throws CLI::ValidationError if one of DrawingOptions::texts names a drawing that the scene has not.
+/// Throws CLI::ValidationError if one of DrawingOptions::texts names a drawing that the scene does not have.
 void require_drawing(const std::string& text, const SceneView& scene);
 
-/// Reads the files, each once. Throws CLI::ValidationError for a drawing that the scene has not and for what
-/// is no drawing, and Failure for a file that cannot be read.
+/// Reads the files, each once. Throws CLI::ValidationError for a drawing that the scene does not have and for
+/// what is no drawing, and Failure for a file that cannot be read.
 std::vector<DrawingValue> chosen_drawings(const DrawingOptions& options, const SceneView& scene);
 
 /// Applies them to `receiver`. Throws CLI::ValidationError for one that has too much.
 void put_drawings(const std::vector<DrawingValue>& drawings, const SceneView& scene, InputReceiver& receiver);
 
-/// What all inputs of a scene are.
+/// The values of all inputs of a scene.
 struct InputValues {
     std::vector<InputValue> values; ///< one for each input
     std::vector<DrawingValue> drawings;

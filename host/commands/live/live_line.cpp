@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Takes words off a line: up to a blank, or in quotes, where \" and \\ stand for what follows the \.
+/// Takes words off a line: up to a blank, or in quotes, where \" and \\ represent what follows the \.
 class Words {
 public:
     Words(std::string_view line, std::size_t number) : rest_{line}, number_{number} { skip_blanks(); }

@@ -17,11 +17,11 @@ struct LiveInput {
     std::string name;
     InputType type = InputType::number;
     std::int32_t min = 0;                ///< of a number, in 1/1000
-    std::int32_t max = 0;                ///< likewise; of a text, characters
+    std::int32_t max = 0;                ///< of a number, in 1/1000; of a text, characters
     std::optional<GlyphSet> glyphs = {}; ///< of a text, in the bytes of the scene, if they are known
 
     InputView view() const { return {.name = name, .min = min, .max = max, .default_value = min}; }
-    /// As far as devices tell.
+    /// As far as devices report it.
     bool is_like(const LiveInput& other) const
     {
         return name == other.name && type == other.type && min == other.min && max == other.max;

@@ -23,7 +23,7 @@ namespace kfast {
 
 namespace {
 
-/// Says when it is time for the next one of things that are to come so many times a second.
+/// Says when it is time for the next one of things that come at a rate.
 class Metronome {
 public:
     /// Without a rate it is always time.
@@ -33,7 +33,7 @@ public:
     {
     }
 
-    /// Whether it is time, for which it waits so long; then the next one is awaited. What comes too late
+    /// Whether it is time, for which it waits that long; then the next one is awaited. What comes too late
     /// shifts the rest only when it is very late.
     bool is_due(Milliseconds patience)
     {
@@ -97,7 +97,7 @@ std::optional<std::string> LineSource::buffered_line()
 
 namespace {
 
-/// Values from standard input on their way to devices: a thread reads, and one for each device sends.
+/// Sends values from standard input to devices: a thread reads, and one for each device sends.
 class LiveStream {
 public:
     LiveStream(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs,
@@ -165,7 +165,7 @@ private:
 
     bool wants_watch() const { return stream_options_.afterwards != Afterwards::go_on; }
 
-    /// So that it is done also if this computer just stops.
+    /// So that it is done even if this computer just stops.
     void arm(Session& session) const
     {
         const auto action = stream_options_.afterwards == Afterwards::hold ? link::SilenceAction::hold
@@ -184,7 +184,7 @@ private:
             session.order(link::Silence{});
     }
 
-    /// The same where nobody wants to wait any more.
+    /// The same without waiting for an answer.
     void leave(Session& session) const
     {
         if (stream_options_.afterwards == Afterwards::hold)

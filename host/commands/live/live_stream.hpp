@@ -17,12 +17,12 @@ public:
     /// Of an open file, which stays open.
     explicit LineSource(int descriptor) : descriptor_{descriptor} {}
 
-    /// The next line without its end, for which it waits so long. The last one need not have an end. Throws
-    /// Failure when a line is longer than any that means something.
+    /// The next line without its end, for which it waits that long. The last one need not have an end. Throws
+    /// Failure when a line is longer than any that is valid.
     std::optional<std::string> next(Milliseconds patience);
-    /// Nothing more will come.
+    /// Whether nothing more will come.
     bool is_over() const { return has_ended_ && buffer_.empty(); }
-    /// Of the line that came last, counted from 1.
+    /// The number of the line that came last, counted from 1.
     std::size_t number() const { return number_; }
 
 private:
@@ -45,10 +45,10 @@ enum class Afterwards {
 struct StreamOptions {
     std::optional<double> rate; ///< lines a second; none: as they come
     Afterwards afterwards = Afterwards::go_on;
-    Milliseconds silence{1000}; ///< after which a device takes this computer for gone
+    Milliseconds silence{1000}; ///< after which a device assumes that this computer is gone
 };
 
-/// Sends the values that standard input tells to all devices, until it ends. `inputs` are those of what plays
+/// Sends the values from standard input to all devices, until it ends. `inputs` are those of what plays
 /// there. Throws what Session throws, Refusal, and Failure for a wrong line; the devices are left as asked
 /// even then.
 void stream_live(std::span<RemoteDevice> devices, std::span<const LiveInput> inputs,

@@ -15,7 +15,7 @@ namespace kfast {
 CLI::Option* declare_beam_option(CLI::App& app, std::optional<BeamProfile>& beam);
 CLI::Option* declare_beam_option(CLI::App& app, std::optional<ChosenBeam>& beam);
 
-/// How a sound card leads a beam, as chosen by --sample-rate, --swap, --mirror and --gain.
+/// How a sound card drives a beam, as chosen by --sample-rate, --swap, --mirror and --gain.
 struct SoundOptions {
     std::uint32_t rate = 48'000; ///< samples in a second
     Deflection deflection;

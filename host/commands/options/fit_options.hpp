@@ -22,7 +22,7 @@ struct FitOptions {
 /// the parsing of `app`.
 CLI::Option* declare_fit_options(CLI::App& app, FitOptions& options);
 
-/// With the panel that was chosen. Throws Failure for a board that there is not.
+/// The board with the panel that was chosen. Throws Failure for an unknown board.
 fit::Target chosen_target(const FitOptions& options);
 
 fit::FitReport fit_report(const FitOptions& options, const fit::Target& target, const SceneFile& scene);
@@ -36,7 +36,7 @@ std::string misfit_text(const std::string& file, const fit::Target& target,
 
 /// Throws Failure with all reasons, if there are any.
 void require_fit(const std::string& file, const fit::Target& target, const std::vector<std::string>& reasons);
-/// Likewise if `scene` does not fit.
+/// Throws Failure with all reasons if `scene` does not fit.
 void require_fit(const std::string& file, const FitOptions& options, const fit::Target& target,
                  const SceneFile& scene);
 

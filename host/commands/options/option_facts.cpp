@@ -8,7 +8,7 @@ namespace kfast {
 
 namespace {
 
-/// CLI11 keeps nothing with an option for those who call it but its checks: so the facts lie in one.
+/// The only thing that CLI11 keeps with an option for its callers is checks: so the facts are in one.
 struct FactsCheck {
     CLI::Validator check;
     OptionFacts facts;
@@ -16,7 +16,7 @@ struct FactsCheck {
     std::string operator()(std::string& text) const { return check(text); }
 };
 
-/// Lets see what a check runs.
+/// Gives access to what a check runs.
 struct OpenValidator : CLI::Validator {
     static const OptionFacts* facts_in(const CLI::Validator& check)
     {
@@ -28,7 +28,7 @@ struct OpenValidator : CLI::Validator {
 const CLI::Validator* check_of(const CLI::Option& option, int index)
 {
     try {
-        // Only this way leads to a check by its place, and nothing is changed.
+        // This is the only access to a check by its index, and nothing is changed.
         return const_cast<CLI::Option&>(option).get_validator(index);
     } catch (const CLI::OptionNotFound&) {
         return nullptr;

@@ -13,7 +13,7 @@ namespace kfast {
 
 /// What the value of an option or of an argument names.
 enum class OptionKind : std::uint8_t {
-    word,   ///< what only the help tells of: a word, a time, a number of any size
+    word,   ///< described only by the help: a word, a time, a number of any size
     number, ///< within bounds
     file_to_read,
     file_to_write, ///< or a socket
@@ -34,13 +34,13 @@ struct OptionFacts {
 /// All that has been said of `option`; the last word on its kind counts.
 OptionFacts option_facts(const CLI::Option& option);
 
-/// Each says what `option` names, checks nothing, and returns `option`. Files with these endings, beside
+/// Each says what `option` names, checks nothing, and returns `option`. Files with these endings, besides
 /// folders, are offered; all files if there are none.
 CLI::Option* reads_file(CLI::Option* option, std::vector<std::string> endings = {});
 CLI::Option* writes_file(CLI::Option* option, std::vector<std::string> endings = {});
 CLI::Option* names_folder(CLI::Option* option, std::vector<std::string> endings = {});
 
-/// Likewise which words it takes; it may take others as well, or be a file in place of them.
+/// Says which words it takes; it may take others as well, or be a file in place of them.
 CLI::Option* offer(CLI::Option* option, const std::vector<std::string_view>& words);
 
 /// The same for the names of rows that have one.

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// The headings under which help, man pages and completions list options, by what somebody wants to do.
+/// The headings under which help, man pages and completions list options, by purpose.
 namespace option_group {
 
 inline constexpr const char* what_to_draw =
@@ -38,7 +38,7 @@ inline constexpr std::array<std::string_view, 18> in_order{
 
 }
 
-/// While it lives, what is added to `app` stands under this heading.
+/// While it lives, what is added to `app` is under this heading.
 class OptionHeading {
 public:
     OptionHeading(CLI::App& app, const char* group) : app_{app}, before_{*app.option_defaults()}

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// A row for what has nothing but its name.
+/// A row for what has only a name.
 template <class T>
 struct Named {
     std::string_view name;

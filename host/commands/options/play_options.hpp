@@ -17,9 +17,9 @@ struct PlayOptions {
 /// Adds both options to `app`. `options` must outlive its parsing.
 void declare_play_options(CLI::App& app, PlayOptions& options);
 
-/// Throws CLI::ValidationError for a clip that the scene has not.
+/// Throws CLI::ValidationError for a clip that the scene does not have.
 Timeline chosen_timeline(const PlayOptions& options, const SceneView& scene);
-/// Likewise.
+/// Throws CLI::ValidationError if the scene does not have the clip.
 void require_clip(const std::string& name, const SceneView& scene);
 
 }

@@ -17,19 +17,19 @@ struct ContactMoment {
     std::string label; ///< its frame and its seconds in the scene
 };
 
-/// The moments between the ends of what is played at which anything has a key; or only the first moment, if
-/// none has one there.
+/// The times between the ends of what is played at which anything has a key; or only the first time, if
+/// nothing has one there.
 std::vector<ContactMoment> contact_moments(const SceneView& scene, const Timeline& timeline);
 
-/// How large pictures are drawn, and how they lie.
+/// How large pictures are drawn, and how they are arranged.
 struct ContactPlan {
     Size picture;
     int divisor = 1; ///< by which they are smaller than asked for
     ContactLayout layout;
 };
 
-/// Pictures of this size, or so much smaller that a sheet has room for all of them. Throws Failure if it has
-/// none for small ones either.
+/// Pictures of this size, or smaller, so that a sheet has room for all of them. Throws Failure if it has no
+/// room for small ones either.
 ContactPlan contact_plan(const std::vector<ContactMoment>& moments, Size picture, int scale);
 
 /// `source` draws pictures as large as planned.

@@ -28,7 +28,7 @@ struct ScreenOptions {
 /// Adds all of them and returns --beam. `options` must outlive the parsing.
 CLI::Option* declare_screen_options(CLI::App& app, ScreenOptions& options);
 
-/// Of the picture, if this one was chosen.
+/// The size of the picture, if this one was chosen.
 Size screen_size(std::optional<Size> chosen);
 
 /// `options` has a beam, and `scene` must outlive the source.
@@ -50,7 +50,7 @@ struct PictureOptions {
 /// Adds these options to `app`, but not --beam. `options` must outlive its parsing.
 void declare_picture_options(CLI::App& app, PictureOptions& options);
 
-/// Adds all of them, for whoever looks at the pictures.
+/// Adds all of them, for pictures that are looked at.
 void declare_seen_options(CLI::App& app, PictureOptions& options);
 
 /// Adds --panel only. `panel` must outlive the parsing.
@@ -60,17 +60,17 @@ CLI::Option* declare_panel_option(CLI::App& app, const PanelChoice*& panel);
 void declare_size_options(CLI::App& app, PictureOptions& options);
 
 Size panel_size(const PictureOptions& options, const SceneView& scene);
-/// Of the pictures that open_source() makes.
+/// The size of the pictures that open_source() makes.
 Size shown_size(const PictureOptions& options, const SceneView& scene);
 /// The same display with another size: of a known panel, its pixels alone are left.
 PictureOptions drawn_at(PictureOptions options, Size size);
 
-/// Tells what is chosen. Throws as chosen_values() and put_values().
+/// Applies what is chosen. Throws what chosen_values() and put_values() throw.
 void apply_inputs(const PictureOptions& options, const SceneFile& scene, InputReceiver& source);
 
-/// Its inputs stand as usual. `scene` must outlive the source.
+/// Its inputs have their default values. `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_at_rest(const PictureOptions& options, const SceneFile& scene);
-/// With the inputs as chosen. Likewise.
+/// With the inputs as chosen. `scene` must outlive the source.
 std::unique_ptr<FrameSource> open_source(const PictureOptions& options, const SceneFile& scene);
 
 /// The profile that was chosen, else that of sound, with as many points in a second as the sound has samples.

@@ -76,7 +76,7 @@ PlaybackSetup chosen_setup(const PlayOptions& options, const SceneView& scene,
     return playback_setup;
 }
 
-/// On the screen of the ready profile that is nearest.
+/// The beam on the screen of the ready profile that is nearest.
 ChosenBeam on_screen(const BeamProfile& beam)
 {
     const auto ready = std::ranges::find(profile_choices(), beam, &ProfileChoice::profile);
@@ -179,7 +179,7 @@ struct PreviewOpener::Reading {
         return chosen_values(options.inputs, options.drawings, view);
     }
 
-    /// As its file says now.
+    /// Updates it from its file.
     void refresh(std::optional<ChosenBeam>& beam)
     {
         if (!beam || beam->file.empty())

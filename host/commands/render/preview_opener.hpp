@@ -21,7 +21,7 @@ namespace kfast {
 /// Whether and how a preview is heard, as chosen by --audio, --audio-device and those of SoundOptions.
 struct AudioOptions {
     bool is_heard = false;
-    std::string device; ///< empty: the usual one
+    std::string device; ///< empty: the default one
     SoundOptions sound;
 };
 
@@ -29,9 +29,9 @@ struct AudioOptions {
 /// must outlive its parsing. Returns --audio.
 CLI::Option* declare_audio_options(CLI::App& app, AudioOptions& options);
 
-/// What the sound card leads: by the profile of `beam`, if one was chosen, but at the rate of the sound.
+/// The profile of what the sound card drives: that of `beam`, if chosen, but at the rate of the sound.
 BeamProfile heard_profile(const AudioOptions& audio, const std::optional<ChosenBeam>& beam);
-/// Plays on. Throws Failure where there is no such sound card.
+/// It keeps playing. Throws Failure if there is no such sound card.
 std::shared_ptr<LedBeam> opened_sound(const AudioOptions& audio, const BeamProfile& profile);
 
 /// How a preview opens scenes.
@@ -50,10 +50,10 @@ public:
     explicit PreviewOpener(PreviewChoice choice);
 
     /// The file that the command names: what is found is printed to standard error. Throws Failure, and
-    /// CLI::ValidationError if the scene has not what the options name.
+    /// CLI::ValidationError if the scene does not have what the options name.
     ///
-    /// If its text has mistakes, it is asked whether somebody watches who may mend them: for that one an
-    /// empty scene is opened, of which OpenedScene::mistakes tells them.
+    /// If its text has mistakes, the caller is asked whether somebody watches who may correct them: then an
+    /// empty scene is opened, whose OpenedScene::mistakes has them.
     std::unique_ptr<OpenedScene> open_first(
         const std::filesystem::path& file, const std::function<bool()>& is_watched = [] { return false; });
     /// Any file after it, as Opener. What --clip, --input and --drawing name, which are about that one, is

@@ -240,7 +240,7 @@ Rendered render_sprite_sheet(const Rendering& job, FrameSource& source)
             written_bytes(job.output)};
 }
 
-/// Enlarged with its labels.
+/// The sheet is enlarged with its labels.
 Rendered render_contact_sheet(const Rendering& job)
 {
     const PictureOptions& asked = job.options.picture;

@@ -59,7 +59,7 @@ struct Flag {
     const char* help;
 };
 
-/// CLI11 would take a flag that is not there for false.
+/// CLI11 would treat a missing flag as false.
 void add_choice(CLI::App& app, const Flag& yes, const Flag& no, std::optional<bool>& choice)
 {
     CLI::Option* const option = app.add_flag_callback(
@@ -205,7 +205,7 @@ void declare_wired_panel_options(CLI::App& app, WiredPanelOptions& options)
 
 BoardSettings chosen_wired_panel(const WiredPanelOptions& options)
 {
-    constexpr std::uint32_t max_default_clock = 62'500'000; // as on a Pico: wires, not displays, end it
+    constexpr std::uint32_t max_default_clock = 62'500'000; // as on a Pico: wires, not displays, limit it
     BoardSettings settings;
     settings.panel = chosen_panel(options);
     settings.bus = options.bus;

@@ -14,7 +14,7 @@ int kind_of(char32_t character)
     return is_in(U'0', U'9') ? 1 : is_in(U'A', U'Z') ? 2 : is_in(U'a', U'z') ? 3 : 0;
 }
 
-/// The characters `first` … `last` in as few letters as it takes; a "-" that would be mistaken for that of a
+/// The characters `first` … `last` in as few letters as possible; a "-" that would be mistaken for that of a
 /// range goes to `end`.
 void append_stretch(std::string& text, char32_t first, char32_t last, std::string& end)
 {

@@ -8,7 +8,7 @@
 
 namespace kfast {
 
-/// As long as a line that tells of progress stays at least.
+/// The minimum time between two drawings of a line of progress.
 inline constexpr std::chrono::milliseconds between_drawings{100};
 
 /// One line at the end of standard error, if that is a terminal, that is written over and over. It goes away
@@ -28,17 +28,17 @@ private:
     std::size_t width_ = 0; ///< of what was shown
 };
 
-/// How far something has come that sends bytes: "[#####               ]  25 %  12.3 KB/s  3 s left". The rate
+/// The progress of sending bytes: "[#####               ]  25 %  12.3 KB/s  3 s left". The rate
 /// is shown after a while only. `total` is more than 0.
 std::string progress_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed);
 
-/// Likewise of something that has steps: "[#####               ]  25 %  3 s left".
+/// The progress of work in steps: "[#####               ]  25 %  3 s left".
 std::string work_text(std::size_t done, std::size_t total, std::chrono::duration<double> elapsed);
 
-/// How far something long has come, at the end of a terminal: from the second on that it takes.
+/// The progress of long work, at the end of a terminal, once it has taken a second.
 class WorkBar {
 public:
-    /// To standard error. `what` stands in front: "drawing".
+    /// Writes to standard error. `what` comes first: "drawing".
     explicit WorkBar(std::string what) : what_{std::move(what)} {}
 
     void report(std::size_t done, std::size_t total);

@@ -16,7 +16,7 @@ Size read_size(const std::string& option, const std::string& text);
 /// "240x135"
 std::string size_text(Size size);
 
-/// A moment as written on the command line: "1.5s", "500ms", or a number of frames such as "12.5"; rounded
+/// A time as written on the command line: "1.5s", "500ms", or a number of frames such as "12.5"; rounded
 /// once, to the nearest tick. None when it is no such text, negative, or beyond what Time holds.
 /// `frame_rate` is in frames per 1000 seconds.
 std::optional<Time> read_time(std::string_view text, std::uint32_t frame_rate);
@@ -28,7 +28,7 @@ std::int32_t read_speed(const std::string& option, const std::string& text);
 /// Hz, from "40MHz", "400kHz" or "9600Hz". Throws CLI::ValidationError in the name of `option`.
 std::uint32_t read_clock(const std::string& option, const std::string& text);
 
-/// As few digits as tell it: "62.5 MHz"
+/// With as few digits as are exact: "62.5 MHz"
 std::string clock_text(std::uint32_t hz);
 
 /// "0" to "255", or "40%". Throws CLI::ValidationError in the name of `option`.

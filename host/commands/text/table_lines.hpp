@@ -9,7 +9,7 @@ namespace kfast {
 using TableRow = std::vector<std::string>;
 
 /// Writes every row as a line without its end. The cells of a column begin below each other, two spaces
-/// behind the widest cell of the column before; `indent` stands before each line, and no line ends in spaces.
+/// after the widest cell of the column before; `indent` is put before each line, and no line ends in spaces.
 /// Rows may have different numbers of cells.
 std::vector<std::string> table_lines(const std::vector<TableRow>& rows, const std::string& indent = "");
 

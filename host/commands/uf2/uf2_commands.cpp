@@ -140,7 +140,7 @@ void print_part(const Uf2Part& part)
                   << (words.empty() ? "" : "  " + words) << '\n';
 }
 
-/// Null if nobody knows.
+/// Null if it is not known.
 Json words_json(std::string_view words) { return words.empty() ? Json(nullptr) : Json(words); }
 
 Json json_of(const Uf2Part& part)

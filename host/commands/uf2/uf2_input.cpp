@@ -90,7 +90,7 @@ FlashPiece piece_of(const FlashRegion& region, std::uint64_t begin, std::uint64_
     return {{static_cast<std::uint32_t>(begin), {bytes.begin(), bytes.end()}}, known ? known->words : ""};
 }
 
-/// Where something that is known begins inside of the region.
+/// Whether something that is known begins there, inside of the region.
 bool begins_something(const FlashRegion& region, const KnownPlace& place)
 {
     const std::uint64_t end = std::uint64_t{region.address} + region.bytes.size();

@@ -10,14 +10,14 @@
 
 namespace kfast {
 
-/// Part of what lies in the flash of a Pico.
+/// Part of the contents of the flash of a Pico.
 struct FlashPiece {
     FlashRegion region;
-    std::string words; ///< "settings of a display st7789, 240 x 320, on spi"; empty if nobody knows
+    std::string words; ///< "settings of a display st7789, 240 x 320, on spi"; empty if not known
 };
 
-/// Regions, cut where KFAST begins something else. What is known ends where it does, without the padding
-/// behind it.
+/// Regions, cut where another part of KFAST begins. A known part ends at its own end, without the padding
+/// after it.
 std::vector<FlashPiece> flash_pieces(std::span<const FlashRegion> regions);
 
 /// What a UF2 file has. Throws Failure when it cannot be read, or with all blocks that are wrong and what is

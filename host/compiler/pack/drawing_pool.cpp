@@ -12,7 +12,7 @@ std::string text_of(std::span<const std::byte> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Another one for each drawing; quicker than packing it.
+/// A key that differs for each drawing; quicker than packing it.
 std::string key_of(const scene::Drawing& drawing)
 {
     ByteWriter key;

@@ -14,7 +14,7 @@
 namespace kfast {
 
 /// The section of drawings: each drawing is stored once, however many keys of whichever objects show it, and
-/// so is what belongs to drawings. So are strokes, wherever they begin, and mirrored ones.
+/// so is what belongs to drawings, and each form of strokes, wherever they begin and however mirrored.
 class DrawingPool {
 public:
     /// Where the drawing is in the section.

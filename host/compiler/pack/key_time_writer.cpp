@@ -67,7 +67,7 @@ std::vector<std::uint32_t> steps_of(const KeyTimes& key_times)
 
 std::uint32_t bits_for(std::uint32_t largest) { return static_cast<std::uint32_t>(std::bit_width(largest)); }
 
-/// A single key time is the same by any clock.
+/// A single key time is the same by any driver.
 Driver written_driver(const DrivenKeyTimes& key_times)
 {
     return key_times.key_times.size() == 1 ? Driver{} : key_times.driver;

@@ -31,7 +31,7 @@ private:
     std::optional<SourceSpan> first_beyond_;
 };
 
-/// When a key is, and the number of the pair of laws that governs the way from it; 0 for the last.
+/// The time of a key, and the number of the pair of laws to the next; 0 for the last.
 struct WrittenKeyTime {
     Time time;
     std::uint32_t laws = 0;
@@ -41,7 +41,7 @@ struct WrittenKeyTime {
 
 using KeyTimes = std::vector<WrittenKeyTime>;
 
-/// KeyTimes, and what their times count.
+/// KeyTimes, and what they go by.
 struct DrivenKeyTimes {
     KeyTimes key_times = {};
     Driver driver = {};
@@ -50,11 +50,11 @@ struct DrivenKeyTimes {
 };
 
 /// Appends at least one key time as the core's KeyTimeCursor reads them (docs/format.md, "Key times"); only
-/// says so if they are `default_key_times` where they stand.
+/// says so if they are `default_key_times`.
 void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default_key_times,
                      ByteWriter& bytes);
 
-/// The usual key times of what has keys of its own: a single one, at 0.
+/// The default key times of what has keys of its own: a single one, at 0.
 inline const DrivenKeyTimes one_key_time{{{}}};
 
 }

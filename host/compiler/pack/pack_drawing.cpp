@@ -72,7 +72,7 @@ bool is_closed(const Steps& steps)
     return end == Delta{};
 }
 
-/// The second half of the steps is the first, turned by half a turn.
+/// Whether the second half of the steps is the first, rotated by half a turn.
 bool is_turned(const Steps& steps)
 {
     const auto half = steps.begin() + std::ssize(steps) / 2;
@@ -85,7 +85,7 @@ Delta predicted_end(Delta out, Delta in)
     return {kfast::predicted_end(out.x, in.x), kfast::predicted_end(out.y, in.y)};
 }
 
-/// Whether a first control point that is `off` from going on as the segment before counts as smooth.
+/// Whether a first control point that is `off` from continuing the segment before counts as smooth.
 bool is_smooth(Delta off, const StrokeForm& form)
 {
     return form.smooth == 1 ? off == Delta{} : bits_of(off) <= form.smooth;
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// The least width that may stand beside one of `bits`.
+    /// The smallest width that may go with one of `bits`.
     static std::uint32_t at_least(std::uint32_t bits)
     {
         return bits - std::min(bits, StrokeForm::max_fewer_bits);
@@ -147,7 +147,7 @@ private:
     std::uint32_t seconds_ = 1;
 };
 
-/// In the place of a BitWriter, where only the size of a form is asked for.
+/// Used instead of a BitWriter where only the size of a form is needed.
 class BitCounter {
 public:
     void put(std::int32_t, std::uint32_t count) { bits_ += count; }
@@ -208,7 +208,7 @@ void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
         bytes.u8(form.predicting());
 }
 
-/// Of what packed() makes, but for the head: that of forms that are not predicted is one byte shorter.
+/// The size of what packed() makes, without the head: that of forms without prediction is a byte shorter.
 std::size_t packed_size(const Steps& steps, const StrokeForm& form)
 {
     BitCounter bits;
@@ -240,7 +240,7 @@ void add_changed(std::vector<StrokeForm>& forms, Change change)
     }
 }
 
-/// All that may be the best for the steps, but for their widths.
+/// All forms that may be the best for the steps, without their widths.
 std::vector<StrokeForm> forms_for(const Steps& steps)
 {
     StrokeForm plain;

@@ -35,10 +35,10 @@ struct Step {
 using Steps = std::vector<Step>;
 
 Steps steps_of(const scene::Stroke& stroke);
-/// With x, y or both the other way.
+/// The steps with x, y or both mirrored.
 Steps mirrored(const Steps& steps, bool x, bool y);
 
-/// The form of a stroke as the core's PackedDrawing reads it (docs/format.md, "Strokes"), in as few bytes as
+/// The form of a stroke as the core's PackedDrawing reads it (docs/format.md, "Forms"), in as few bytes as
 /// it takes.
 std::vector<std::byte> packed_form(const Steps& steps);
 
@@ -57,7 +57,7 @@ void pack_drawing(const scene::Drawing& drawing, ByteWriter& bytes, AddForm add_
     }
 }
 
-/// By itself: no form lies elsewhere.
+/// By itself: no form is stored elsewhere.
 void pack_drawing(const scene::Drawing& drawing, ByteWriter& bytes);
 
 }

@@ -14,7 +14,7 @@ namespace kfast {
 
 namespace {
 
-/// What is `value` in a unit.
+/// `value` in a unit.
 std::int32_t number_of(std::int32_t value, std::uint32_t unit)
 {
     if (unit == kfb::values::degree_unit)
@@ -22,7 +22,7 @@ std::int32_t number_of(std::int32_t value, std::uint32_t unit)
     return value >> unit;
 }
 
-/// In a unit; nothing if they are not whole numbers of it.
+/// The values in a unit; nothing if they are not whole numbers of it.
 std::optional<std::vector<std::int32_t>> numbers_of(std::span<const std::int32_t> values, std::uint32_t unit)
 {
     std::vector<std::int32_t> numbers;

@@ -10,7 +10,7 @@
 namespace kfast {
 
 /// Appends numbers of any width to a ByteWriter, the highest bit first; the counterpart of the core's
-/// BitReader. Ends on a byte when it goes.
+/// BitReader. Its destructor completes the last byte.
 class BitWriter {
 public:
     explicit BitWriter(ByteWriter& bytes) : bytes_{bytes} {}
@@ -23,7 +23,7 @@ public:
             bytes_.u8(pending_ << (8 - pending_count_));
     }
 
-    /// The lowest `count` bits of `value`, at most 24.
+    /// Appends the lowest `count` bits of `value`, at most 24.
     void put(std::int32_t value, std::uint32_t count)
     {
         pending_ = pending_ << count | (static_cast<std::uint32_t>(value) & ((1U << count) - 1));
@@ -33,7 +33,7 @@ public:
         }
     }
 
-    /// The lowest `count` bits of `value`, at most 32.
+    /// Appends the lowest `count` bits of `value`, at most 32.
     void number(std::uint32_t value, std::uint32_t count)
     {
         if (count > 16)

@@ -15,7 +15,7 @@ namespace {
 
 using Keys = std::vector<scene::TrackKey>;
 
-/// As set up, as the format has it.
+/// The value as set up, in the format's unit.
 std::int32_t set_up(const scene::Bone& bone, BoneQuantity quantity)
 {
     const std::int32_t value = bone.set_up[static_cast<std::size_t>(quantity)];
@@ -30,7 +30,7 @@ bool is_in_pixels(const scene::Bone& bone)
     return is_whole(BoneQuantity::x) && is_whole(BoneQuantity::y) && is_whole(BoneQuantity::length);
 }
 
-/// As differences from the bone as set up; an angle that counts modulo one turn as the shortest.
+/// Differences from the bone as set up; an angle that counts modulo one turn as the smallest one.
 std::vector<std::int32_t> stored_values(const scene::Bone& bone, BoneQuantity quantity, const Keys& keys)
 {
     const std::int32_t from = set_up(bone, quantity);
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    /// Those that save most: of all quantities that have them, each stores its values only.
+    /// Chooses those that save most: all quantities that have them store only their values.
     void choose_common_key_times()
     {
         std::map<DrivenKeyTimes, std::size_t> uses;

@@ -20,7 +20,7 @@ constexpr std::uint32_t time_code(Time time)
            kfb::time_code::number.put(is_whole ? ticks / Time::ticks_per_frame : ticks);
 }
 
-/// Which of the sections that a scene may lack there are.
+/// The sections that a scene may lack.
 struct Sections {
     bool inputs = false;
     bool marks = false;

@@ -25,7 +25,7 @@ namespace kfast {
 
 namespace {
 
-/// Appends a label (docs/format.md, "Labels"), whose drawings go to `drawings`.
+/// Appends a label (docs/format.md, "Live items"), whose drawings go to `drawings`.
 void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& bytes)
 {
     bytes.u8(static_cast<std::uint32_t>(label.align));
@@ -87,7 +87,7 @@ void write_path(const scene::Item& item, DrawingPool& drawings, ByteWriter& byte
         report_length(item, diagnostics);
 }
 
-/// What of an item comes from outside.
+/// What an item shows that comes from outside.
 struct Live {
     InputLeaf kind;
     std::size_t input; ///< index into Scene::inputs
@@ -103,7 +103,7 @@ std::optional<Live> live_of(const scene::Item& item)
     return std::nullopt;
 }
 
-/// What stands behind the head of a live item, or of a wire frame, which is stored as one.
+/// What follows the head of a live item, or of a wire frame, which is stored as one.
 std::optional<std::uint32_t> kind_of_live(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
@@ -197,7 +197,7 @@ void ItemWriter::write_deformer(const scene::Object& object, std::uint32_t unit_
     }
 }
 
-/// Behind the number of the input.
+/// Writes what follows the number of the input.
 void ItemWriter::write_live(const scene::Object& object, ByteWriter& bytes)
 {
     write_style(object, bytes);

@@ -19,7 +19,7 @@ namespace kfast {
 
 namespace {
 
-/// The drawings at both ends of the way from `key` to `next`.
+/// The drawings at both ends of the tween from `key` to `next`.
 MatchedDrawings ends_of_tween(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
 {
     MatchedDrawings as_drawn{key.drawing, next.drawing};
@@ -34,7 +34,7 @@ MatchedDrawings ends_of_tween(const scene::Key& key, const scene::Key& next, Dia
     return as_drawn;
 }
 
-/// As they are without backbones.
+/// The tweens as they are without backbones.
 std::vector<KeyTween> drawn_tweens(const scene::Object& object, Diagnostics& diagnostics)
 {
     std::vector<KeyTween> tweens;
@@ -143,7 +143,7 @@ void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
     }
 }
 
-/// The one that carries all points, which are at rest where they are drawn.
+/// The bone that moves all points, which are at rest where they are drawn.
 std::optional<std::int32_t> only_bone(const SkinnedDrawing& skinned)
 {
     const auto is_first = [&skinned](const scene::Binding& binding) {

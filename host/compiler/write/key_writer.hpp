@@ -19,20 +19,20 @@ struct PackedKeys {
     std::uint32_t unit_bits = 0; ///< see KeyTweens
 };
 
-/// Whether ways from a key of `object` to the next are written with both of their ends: all of them, if one
-/// matches by length, or if backbones carry them.
+/// Whether tweens from a key of `object` to the next are written with both of their ends: all of them, if
+/// one matches by length, or if backbones deform them.
 bool has_arrivals(const scene::Object& object);
 
-/// The keys of `object` and the ways between them, as they are stored. Says what packed_keys() says.
+/// The keys of `object` and the tweens between them, as they are stored. Reports what packed_keys() reports.
 KeyTweens key_tweens(const scene::Object& object, Diagnostics& diagnostics);
 
-/// The keys of `object`. A way that takes more points than a drawing
-/// holds is an error at its key, points that backbones do not reach are a warning there.
+/// The keys of `object`. A tween that needs more points than a drawing can have is an error at its key,
+/// points that backbones do not reach are a warning there.
 PackedKeys packed_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                        Diagnostics& diagnostics);
 
-/// As packed_keys(), of an object that bones carry. A drawing that takes more points at rest than a drawing
-/// holds is an error at its key.
+/// Like packed_keys(), for an object that bones deform. A drawing that needs more points at rest than a
+/// drawing can have is an error at its key.
 PackedKeys packed_skinned_keys(const scene::Object& object, LawTable& laws, DrawingPool& drawings,
                                Diagnostics& diagnostics);
 

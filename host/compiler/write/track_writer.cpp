@@ -26,15 +26,15 @@ std::int32_t value_without(Property property, const scene::Item& item)
     }
 }
 
-/// A place on a path is never the ordinary one.
+/// A place on a path is never the default.
 bool changes_nothing(const scene::Track& track, const scene::Item& item)
 {
     return is_fixed(track) && track.property != Property::along &&
            track.keys.front().value == value_without(track.property, item);
 }
 
-/// Those that make a difference. A pivot makes none where nothing turns or grows, but for the width of
-/// wires.
+/// The tracks that make a difference. A pivot makes none where nothing rotates or scales, except for the
+/// width of wires.
 std::vector<const scene::Track*> effective_tracks(const scene::Item& item)
 {
     std::vector<const scene::Track*> tracks;

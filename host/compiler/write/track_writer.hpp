@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-/// When the keys of a track are on its `driver`, or of what is stored as one. Smooth ones have no laws.
+/// The times of the keys of a track, or of what is stored as one, by its `driver`. Smooth ones have no laws.
 DrivenKeyTimes key_times_of(const std::vector<scene::TrackKey>& keys, Driver driver, bool is_smooth,
                             LawTable& laws);
 std::vector<std::int32_t> values_of(const std::vector<scene::TrackKey>& keys);

@@ -19,7 +19,7 @@ constexpr Range sizes{1, widest_canvas};
 constexpr Range frame_rates{1, fastest};
 constexpr Range camera_distances{kfb::min_camera, kfb::max_camera};
 
-/// A length in seconds has to wait for the frame rate, which may stand behind it.
+/// A length in seconds has to wait for the frame rate, which may come after it.
 struct Canvas {
     double frames_per_second = 30;
     Loop loop = Loop::repeat;
@@ -115,7 +115,7 @@ namespace {
 
 constexpr NodeForm palette_form{"palette", "palette { NAME \"#rrggbb\" }", 0, 0, true};
 
-/// `name` is what the scene calls its colour.
+/// `name` is the scene's name for its colour.
 constexpr NodeForm colour_form(std::string_view name) { return {name, "NAME \"#rrggbb\"", 1, 1}; }
 
 /// A palette knows basic and hexadecimal colours, not its own names.

@@ -8,7 +8,7 @@
 namespace kfast::scene {
 
 /// Fills the canvas, frame rate and loop of `scene`, puts the background first into the palette and sets what
-/// the nodes that follow need: the frame rate, and the length if the canvas gives one.
+/// the nodes that follow need: the frame rate, and the length if the canvas sets one.
 void read_canvas(const kdl::Node& node, Scene& scene, SceneContext& context);
 
 NodeSchema canvas_schema();

@@ -17,7 +17,7 @@ namespace kfast::scene {
 
 namespace {
 
-/// Numbers as in path data: a comma or spaces stand between them.
+/// Numbers as in path data: separated by a comma or spaces.
 std::optional<Vec2> spot_in(std::string_view text)
 {
     PathScanner scanner{text};

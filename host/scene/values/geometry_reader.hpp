@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// Places on the canvas. Each function reports what is wrong and then returns nothing.
+/// Points on the canvas. Each function reports what is wrong and then returns nothing.
 namespace kfast::scene {
 
 /// All values of `node`, by twos; there must be at least one.
@@ -25,7 +25,7 @@ std::optional<Vec2> read_spot(const kdl::Value& value, SceneContext& context);
 std::optional<std::vector<Outline>> read_path_data(const kdl::Value& value, std::size_t points_left,
                                                    SceneContext& context);
 
-/// As read_shape(), for the node path, whose form has been checked.
+/// Like read_shape(), for the node path, whose form has been checked.
 std::vector<Outline> read_path(const kdl::Node& node, std::size_t points_left, SceneContext& context);
 
 /// What the item of `track along "DATA"` follows. Nothing when it is no single stroke with an extent, which

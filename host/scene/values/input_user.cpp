@@ -12,10 +12,10 @@
 namespace kfast::scene {
 namespace {
 
-/// How the inputs of a type are spoken of.
+/// The words for the inputs of a type.
 struct Wording {
     std::string_view noun;
-    std::string_view declaration; ///< behind the name
+    std::string_view declaration; ///< after the name
     std::string_view use;
 };
 
@@ -38,7 +38,7 @@ std::string example(std::string_view name, InputType type)
            "\" to the scene";
 }
 
-/// Those of the type.
+/// The names of the inputs of the type.
 std::vector<std::string_view> names(InputType type, const InputTable& inputs)
 {
     std::vector<std::string_view> known;
@@ -62,7 +62,7 @@ std::optional<std::size_t> use_input(const kdl::Value& name, InputType type, Sce
         return static_cast<std::size_t>(entry - inputs.entries.data());
     }
     if (entry != nullptr) {
-        entry->is_used = true; // by mistake, which is enough to tell
+        entry->is_used = true; // by mistake, which is enough to report
         const Wording actual = wording(entry->input.type);
         context.report.error(name.place,
                              "the input " + in_quotes(*text) + " is " + std::string{actual.noun} + ", not " +

@@ -11,7 +11,7 @@ namespace kfast::scene {
 
 namespace {
 
-/// How much `units` of what is written are stored as.
+/// What `units` of a written number are stored as.
 struct NumberForm {
     double stored;
     double units;

@@ -22,14 +22,14 @@ struct ItemValues {
     {
         return own[static_cast<std::size_t>(property)];
     }
-    /// That of one axis wins over `scale`.
+    /// The value; that of one axis wins over `scale`.
     std::optional<std::int32_t> get(Property property) const;
 
     std::array<std::optional<std::int32_t>, property_count> own;
     std::optional<std::int32_t> scale; ///< of both axes
 };
 
-/// What nodes and keys may write of a quantity. `width` may be 0.
+/// What nodes and keys may write as a quantity. `width` may be 0.
 constexpr ValueKind kind_of(Property property)
 {
     switch (property) {
@@ -62,7 +62,7 @@ constexpr ValueKind kind_of(Property property)
     return {};
 }
 
-/// In the unit of the property, rounded once, halves away from zero. `width` may be 0.
+/// The value in the unit of the property, rounded once, halves away from zero. `width` may be 0.
 std::optional<std::int32_t> read_item_value(Property property, const kdl::Value& value,
                                             SceneContext& context);
 
@@ -116,10 +116,10 @@ inline constexpr std::array show_rules{
     PropertyRule<Target>{"visible", read_own_value<Property::visible>, kind_of(Property::visible)},
 };
 
-/// What `values` do not say of the pivot: the centre of the box of the vertices of the first drawing that is
+/// Sets what `values` lack of the pivot: the centre of the box of the vertices of the first drawing that is
 /// not empty, rounded to 1/16 px, halves up. Control points do not count.
 void set_default_pivot(const std::vector<Key>& keys, ItemValues& values);
-/// Likewise: this point.
+/// Sets what `values` lack of the pivot to this point.
 void set_default_pivot(Point pivot, ItemValues& values);
 
 }

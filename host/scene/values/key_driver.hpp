@@ -15,7 +15,7 @@
 
 namespace kfast::scene {
 
-/// What keys go by, and so what their moments are as they are written: times, or values of an input.
+/// What keys go by, and so what their times are as they are written: times, or values of an input.
 class KeyDriver {
 public:
     /// The time of the scene.
@@ -32,9 +32,9 @@ public:
     bool is_time() const { return driver_.is_time(); }
     /// Reports what is wrong with `value` and then returns nothing.
     std::optional<Time> read_moment(const kdl::Value& value, SceneContext& context) const;
-    /// What a moment is called: "time" or "value".
+    /// The word for it: "time" or "value".
     std::string_view noun() const { return is_time() ? "time" : "value"; }
-    /// How finely moments are told apart, in words.
+    /// The smallest difference of two of them, in words.
     std::string_view grain() const;
 
 private:
@@ -43,7 +43,7 @@ private:
     Driver driver_;
 };
 
-/// Of a property `input=NAME`; the input is in use then.
+/// Reads a property `input=NAME`; the input is in use then.
 std::optional<KeyDriver> read_key_driver(const kdl::Value& value, SceneContext& context);
 
 /// Warns of a property `input` of `node`, an item, that has no keys itself.
@@ -59,7 +59,7 @@ bool read_own_driver(const kdl::Value& value, Target& target, SceneContext& cont
     return driver.has_value();
 }
 
-/// What keys that stand in the order of their moments have in common.
+/// What keys have in common that are in the order of their times.
 
 /// Where and when something is.
 struct PlacedMoment {
@@ -72,8 +72,8 @@ bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, co
                  SceneContext& context);
 
 /// Warns of the first of `keys` of which nothing is seen because the scene ends before. Their times rise. Of
-/// those that lie at the end or behind it, the first `in_use` still shape what is seen; `noun` is what a key
-/// is called.
+/// those that are at the end or after it, the first `in_use` still shape what is seen; `noun` is the word for
+/// a key.
 template <class Key>
 void warn_of_unseen_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
                          SceneContext& context)
@@ -88,7 +88,7 @@ void warn_of_unseen_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, st
                                "make the scene longer with frames=… or remove the " + std::string{noun});
 }
 
-/// Likewise; and how far `keys` reach in time.
+/// The same; also notes the time that `keys` extend to.
 template <class Key>
 void take_times(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
                 SceneContext& context)

@@ -83,10 +83,10 @@ private:
     bool expect_end(std::string_view form);
 
     std::string_view take_name();
-    /// The byte behind white space, 0 at the end.
+    /// The byte after white space, 0 at the end.
     char next();
 
-    /// From `begin` to where the scanner stands, or the byte there. Always false.
+    /// Reports the text from `begin` to the scanner's position, or the byte there. Always false.
     bool fail(std::size_t begin, std::string message, std::string hint);
 
     PathScanner scanner_; ///< numbers are written as in paths
@@ -146,7 +146,7 @@ std::optional<double> LawReader::read_number(const CallForm& call, const Paramet
     return std::nullopt;
 }
 
-/// What stands in the place of `mark` tells which mistake it is.
+/// What is in the place of `mark` determines the report.
 bool LawReader::expect(char mark, const CallForm& call)
 {
     const char found = next();

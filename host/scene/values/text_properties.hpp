@@ -25,11 +25,11 @@ enum class TextKind : std::uint8_t {
     label, ///< its words are those of an input, on one line
 };
 
-/// Nothing when they are wrong, which is reported.
+/// Reads the properties. Nothing when they are wrong, which is reported.
 std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKind kind,
                                                    SceneContext& context);
 
-/// A character as a reader and as Unicode names it, for it may be one that is not seen: "\"ß\" (U+00DF)".
+/// A character and its Unicode number, because it may be invisible: "\"ß\" (U+00DF)".
 std::string in_words(std::string_view character);
 
 /// What to do when a font lacks `character`: names the bundled fonts that have it.

@@ -41,7 +41,7 @@ inline Track* find_track(std::span<TimedQuantity> quantities, Property property)
     return nullptr;
 }
 
-/// The path that one of them leads along, which then has none.
+/// Takes the path from the one of them that has it.
 inline std::optional<Path> take_path(std::span<TimedQuantity> quantities)
 {
     for (TimedQuantity& quantity : quantities)
@@ -52,7 +52,7 @@ inline std::optional<Path> take_path(std::span<TimedQuantity> quantities)
 
 inline constexpr std::string_view at_name = "at";
 
-/// A node `at` of a track: a value, and the law of the way to the next.
+/// A node `at` of a track: a value, and the law to the next.
 struct TimedValue {
     const kdl::Node* node = nullptr;
     Time time;
@@ -61,8 +61,8 @@ struct TimedValue {
     SourceSpan place; ///< of the node's name and both values
 };
 
-/// Those that stand in `track`, in the order of their times on its clock, which all differ; without those
-/// that are wrong, which are reported.
+/// The values in `track`, in the order of their times by its driver, which all differ; without those that
+/// are wrong, which are reported.
 std::vector<TimedValue> read_timed_values(const kdl::Node& track, Property property, const KeyDriver& driver,
                                           SceneContext& context);
 

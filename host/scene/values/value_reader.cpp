@@ -37,7 +37,7 @@ std::optional<double> ticks_per(const kdl::Value& value, SceneContext& context)
     return std::nullopt;
 }
 
-/// Of an unknown colour: "orangered", "linear-gradient(red, blue)", "rgb(1,2,3)".
+/// The hint for an unknown colour: "orangered", "linear-gradient(red, blue)", "rgb(1,2,3)".
 std::string hint_of(std::string_view colour, const Palette& palette)
 {
     const std::string_view function = colour.substr(0, std::min(colour.find('('), colour.size()));

@@ -28,15 +28,15 @@ inline constexpr Range extents{0, 2 * coordinate_limit};
 /// Degrees: ten turns either way.
 inline constexpr Range angles{-3600, 3600};
 
-/// Of an input, in whole numbers.
+/// The limit of values of an input, in whole numbers.
 inline constexpr std::int32_t input_limit = kfb::max_input_value / 1000;
 inline constexpr Range input_values{-input_limit, input_limit};
-/// As values of inputs are stored: rounded to nearest, halves away from zero.
+/// The number as values of inputs are stored: rounded to nearest, halves away from zero.
 std::int32_t thousandths(double number);
 
 /// Frames, or (s) or (ms) by the scene's frame rate; rounded once to 1/1024 frame, halves away from zero.
 std::optional<Time> read_time(const kdl::Value& value, SceneContext& context);
-/// In frames, exactly: "60", "7.5"
+/// The time in frames, exactly: "60", "7.5"
 std::string text_of(Time time);
 
 /// The index among the colours in use.

@@ -12,7 +12,7 @@
 
 namespace kfast::scene_text {
 
-/// How a number of the scene language is stored: so many `stored` for so many `units` of what is written.
+/// How a number of the scene language is stored: `stored` for every `units` of what is written.
 struct Grid {
     double stored = 1;
     double units = 1;
@@ -33,10 +33,10 @@ inline constexpr Grid controls{VelocityLaw::control_one, 1, -2, 3};
 inline constexpr Grid frame_rates{1000, 1, 1, 1000};
 inline constexpr Grid turns{BinaryAngle::turn, 360, -5400, 5400};
 
-/// The nearest that is stored, halves away from zero; what is out of range is held at its ends. `value` is
+/// The nearest that is stored, halves away from zero; what is out of range is clamped. `value` is
 /// finite.
 std::int32_t on_grid(double value, const Grid& grid);
-/// What is stored as that.
+/// The value that is stored as `stored`.
 double off_grid(std::int32_t stored, const Grid& grid);
 /// The nearest that can be stored, as on_grid().
 double snapped(double value, const Grid& grid);

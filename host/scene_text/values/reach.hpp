@@ -7,17 +7,17 @@
 
 namespace kfast::scene_text {
 
-/// What coordinates of a scene may come to, in pixels; leaves room for rounding, and for points that are
-/// moved beside others.
+/// The maximum coordinates of a scene, in pixels; leaves room for rounding, and for points that are moved
+/// beside others.
 inline constexpr double widest_reach = 2040;
 
-/// The greatest coordinates of an animation: of places, paths, drawings and bones, in pixels.
+/// The maximum coordinates of an animation: of positions, paths, drawings and bones, in pixels.
 struct Reach {
-    double left_alone = 0; ///< as they are without groups that do nothing but make their content larger
-    double in_groups = 0;  ///< as they are with them; beyond 2047, they are held there
+    double left_alone = 0; ///< as they are without groups that only scale their content up
+    double in_groups = 0;  ///< as they are with them; beyond 2047, they are clamped
 };
 
-/// How far a bone may begin from where it is set up, for scenes to hold its way from its parent.
+/// How far a bone's origin may be from the set-up, so that a scene can store its distance from its parent.
 inline double room_of(const art::Rig& rig, const art::Bone& bone)
 {
     const scene::Vec2 around = bone.parent ? rig.bones[*bone.parent].from : scene::Vec2{};
@@ -25,7 +25,7 @@ inline double room_of(const art::Rig& rig, const art::Bone& bone)
     return std::max(2047 - std::max(std::abs(offset.x), std::abs(offset.y)), 0.0);
 }
 
-/// Of bones, as set up and as moved.
+/// The reach of bones, as set up and as moved.
 inline double reach_of(const art::Rig& rig)
 {
     double reach = 0;

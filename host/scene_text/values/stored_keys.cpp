@@ -99,7 +99,7 @@ std::vector<StoredKey<std::int32_t>> stored_keys(const art::Channel& channel, st
 
 namespace {
 
-/// Of a moment that may lie outside of the scene, or be infinite.
+/// The ticks of a time that may be outside of the scene, or infinite.
 std::int32_t ticks_within(double time, std::int32_t length) { return std::min(on_grid(time, times), length); }
 
 }

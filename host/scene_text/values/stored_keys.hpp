@@ -14,8 +14,8 @@
 
 namespace kfast::scene_text {
 
-/// "constant", "hold", "ease-in" or "bezier(0.1,0,0.9,1)"; control points beyond what laws have are held at
-/// the ends of that.
+/// "constant", "hold", "ease-in" or "bezier(0.1,0,0.9,1)"; control points beyond the range of laws are
+/// clamped.
 std::string law_of(const art::Ease& ease);
 
 /// A key as the scene stores it.
@@ -23,10 +23,10 @@ template <typename Value>
 struct StoredKey {
     std::int32_t ticks = 0;
     Value value = {};
-    std::string law = "constant"; ///< of the way to the next key
+    std::string law = "constant"; ///< from this key to the next
 };
 
-/// Lets times rise that rounding has brought together, by a tick each, and end with the scene.
+/// Moves times apart that rounding has made equal, by a tick each, and lets them end with the scene.
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length);
 
 /// Throws Failure if there are more keys than an item has.
@@ -55,7 +55,7 @@ std::vector<art::Key<Value>> with_laws(const art::Animated<Value>& animated)
     return keys;
 }
 
-/// Leaves out keys that change nothing: equal to those before and behind them.
+/// Leaves out keys that change nothing: equal to those before and after them.
 template <typename Value>
 void drop_idle(std::vector<StoredKey<Value>>& keys)
 {
@@ -90,11 +90,11 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
     return result;
 }
 
-/// Of a number.
+/// The keys of a number.
 std::vector<StoredKey<std::int32_t>> stored_keys(const art::Channel& channel, std::int32_t length,
                                                  const Grid& grid);
 
-/// When a node is seen, in a scene that is `length` ticks long: begins at 0.
+/// When a node is visible, in a scene that is `length` ticks long: begins at 0.
 std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length);
 
 }

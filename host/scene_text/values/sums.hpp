@@ -8,7 +8,7 @@
 
 namespace kfast::scene_text {
 
-/// Whether their keys stand at the same times with the same eases, so that they go alike.
+/// Whether their keys are at the same times with the same eases, so that they progress alike.
 bool go_alike(const art::Channel& left, const art::Channel& right);
 
 /// Whether sum() and product() of these are exact.

@@ -18,14 +18,14 @@
 
 namespace kfast::scene_text {
 
-/// `name` without what names of scenes must not hold, 1 to 255 bytes; `default_value` if nothing is left of
-/// it.
+/// `name` without what names of scenes must not contain, 1 to 255 bytes; `default_value` if nothing is left
+/// of it.
 std::string clean_name(std::string_view name, std::string_view default_value);
 
 /// Names that are all different.
 class Names {
 public:
-    /// Never given out.
+    /// The name is never returned.
     void reserve(std::string_view name) { taken_.emplace(name); }
     /// The clean name itself, or with a number: "eye", "eye-2".
     std::string unique(std::string_view name, std::string_view default_value);
@@ -35,16 +35,16 @@ private:
     std::map<std::string, std::size_t, std::less<>> counts_; ///< the highest number given to a name
 };
 
-/// As scenes store it: 8 bits a channel.
+/// The colour as scenes store it: 8 bits a channel.
 Colour stored_colour(const art::Rgb& colour, double opacity);
 
-/// The palette of the scene that is being written. Every colour has a name from what has it first; black and
-/// white have theirs already.
+/// The palette of the scene that is being written. Every colour is named after what uses it first; black and
+/// white have names already.
 class Colours {
 public:
     explicit Colours(art::Losses& losses);
 
-    /// What the colour is written as: the name of it, or of the nearest one once there are too many.
+    /// The word for the colour: its name, or that of the nearest one once there are too many.
     std::string word(Colour colour, std::string_view user);
 
     /// A node `palette`, unless it would be empty.
@@ -63,7 +63,7 @@ private:
     art::Losses& losses_;
 };
 
-/// Of a fill or a line: the opacity is that of the colour, and stands still.
+/// For a fill or a line: the opacity is that of the colour, and does not change.
 template <typename Paint>
 std::vector<StoredKey<Colour>> paint_keys(const Paint& paint, std::int32_t length)
 {
@@ -72,7 +72,7 @@ std::vector<StoredKey<Colour>> paint_keys(const Paint& paint, std::int32_t lengt
                        [&](const art::Rgb& colour) { return stored_colour(colour, opacity); });
 }
 
-/// A skeleton and its bones as the scene calls them.
+/// The names of a skeleton and its bones in the scene.
 struct RigNames {
     std::string rig;
     std::vector<std::string> bones;
