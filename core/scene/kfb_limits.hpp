@@ -24,10 +24,9 @@ inline constexpr std::size_t max_symbols = 255;
 inline constexpr std::size_t max_clips = 255;
 inline constexpr std::uint32_t max_inputs = 32;
 inline constexpr std::int32_t max_input_value = 1'000'000'000; ///< in 1/1000, in each direction
-inline constexpr std::uint32_t max_text = 60;    ///< characters of a text: what a report of the link carries
-inline constexpr std::uint32_t max_glyphs = 255; ///< of a text
-inline constexpr std::int32_t advance_one =
-    4096; ///< a pixel, in the unit of the widths of a label's letters
+inline constexpr std::uint32_t max_text = 60;     ///< characters of a text: what a report of the link carries
+inline constexpr std::uint32_t max_glyphs = 255;  ///< of a text
+inline constexpr std::int32_t advance_one = 4096; ///< a pixel, in the unit of the widths of a label's letters
 inline constexpr std::int32_t max_text_width = 4095 * advance_one;
 /// Points of a drawing from outside, all strokes together.
 inline constexpr std::uint32_t max_live_points = 4096;

@@ -13,19 +13,19 @@ namespace kfast {
 
 /// What can be wrong with settings for a Pico, in the order in which it is looked for.
 enum class SettingsFault : std::uint8_t {
-    bus_not_taken,       ///< the controller does not speak this bus
-    glass_beyond_memory, ///< the glass is empty, or is not within the controller's memory
-    glass_ragged,        ///< sides or position of the glass are no multiples of what can be addressed
-    rotation_not_done,   ///< the controller cannot rotate pictures by quarters
-    clock_too_fast,      ///< for the chip, or for every display on this bus
-    clock_too_slow,      ///< 0, or less than the chip can divide down to
-    address_reserved,    ///< the bus keeps this I²C address for itself, or it has more than seven bits
-    pin_missing,         ///< of a role that the display or the bus needs, or of a control
-    pin_not_on_board,    ///< the chip has no such pin, or the board keeps it for itself
-    pin_shared,          ///< two uses of one pin
-    function_missing,    ///< the pin does not carry what the role needs
-    units_differ,        ///< clock and data belong to different units of the chip
-    converter_missing,   ///< a knob on a pin that cannot measure
+    bus_not_taken,         ///< the controller does not speak this bus
+    glass_beyond_memory,   ///< the glass is empty, or is not within the controller's memory
+    glass_ragged,          ///< sides or position of the glass are no multiples of what can be addressed
+    rotation_not_done,     ///< the controller cannot rotate pictures by quarters
+    clock_too_fast,        ///< for the chip, or for every display on this bus
+    clock_too_slow,        ///< 0, or less than the chip can divide down to
+    address_reserved,      ///< the bus keeps this I²C address for itself, or it has more than seven bits
+    pin_missing,           ///< of a role that the display or the bus needs, or of a control
+    pin_not_on_board,      ///< the chip has no such pin, or the board keeps it for itself
+    pin_shared,            ///< two uses of one pin
+    function_missing,      ///< the pin does not carry what the role needs
+    units_differ,          ///< clock and data belong to different units of the chip
+    converter_missing,     ///< a knob on a pin that cannot measure
     action_not_of_control, ///< buttons and knobs do different things
     input_missing,         ///< a control for an input does not name it
     beam_beyond_limits,    ///< a number of the beam's profile is not one that it can have
