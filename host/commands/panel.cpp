@@ -32,7 +32,7 @@ public:
 
     bool set(std::uint32_t number, const InputContent& content) override
     {
-        return kfast::set_input(player_, number, content);
+        return give_input(player_, number, content);
     }
 
 private:

@@ -26,8 +26,6 @@ std::string_view edge_side(int pin);
 /// The nearest ground pin on the same side.
 int nearest_ground(int pin);
 
-/// The pins of a Pico in words.
-
 /// The last one that has seven more after it on the edge.
 inline constexpr int last_pin_of_eight = 15;
 

@@ -22,8 +22,6 @@ inline std::int16_t to_sixteenths(double pixels)
     return static_cast<std::int16_t>(std::lround(pixels * 16));
 }
 
-/// Drawings with every number rounded to what the binary stores.
-
 /// Canvas pixels in 1/16.
 struct Point {
     std::int16_t x = 0;

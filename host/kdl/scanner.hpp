@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// The classes of code points that KDL's grammar names.
+/// Code points, white space and errors: what all parts of the parser read a text with.
 namespace kfast::kdl {
 
 /// White space that does not end a line.

@@ -9,7 +9,7 @@
 
 namespace kfast {
 
-bool set_input(SceneState& scene, std::uint32_t number, const InputContent& content)
+bool give_input(SceneState& scene, std::uint32_t number, const InputContent& content)
 {
     if (const auto* const strokes = std::get_if<std::span<const InputStroke>>(&content))
         return scene.set_drawing(number, *strokes);

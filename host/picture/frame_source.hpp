@@ -23,14 +23,14 @@ using InputContent = std::variant<Time, std::string_view, std::span<const InputS
 
 /// Gives it to a playing scene, by the member of SceneState for its kind. Returns false where a drawing does
 /// not fit; nothing changes then.
-bool set_input(SceneState& scene, std::uint32_t number, const InputContent& content);
+bool give_input(SceneState& scene, std::uint32_t number, const InputContent& content);
 
 /// The inputs of a scene that is shown somewhere. Whatever they are given comes by set().
 class InputReceiver {
 public:
     virtual ~InputReceiver() = default;
 
-    /// As the function set_input() above.
+    /// As give_input() to the scene that is shown.
     virtual bool set(std::uint32_t number, const InputContent& content) = 0;
 
     void set_input(std::uint32_t number, Time place) { set(number, place); }

@@ -28,9 +28,6 @@ private:
     std::unordered_map<std::string, SourceSpan> places_;
 };
 
-/// What nodes and their values look like, whatever they mean: the rules in the tables of readers of scenes,
-/// settings, boards and beams.
-
 /// The hint for a node that has no property `property`; `known` are those that it has.
 using PropertyHint = std::string (*)(const kdl::Node& node, const kdl::Property& property,
                                      std::span<const std::string_view> known);

@@ -33,7 +33,7 @@ public:
     }
     bool set(std::uint32_t number, const InputContent& content) override
     {
-        return kfast::set_input(player_, number, content);
+        return give_input(player_, number, content);
     }
     std::string facts() const override { return detail_.text(); }
     Detail min_detail() const override { return detail_.min(); }

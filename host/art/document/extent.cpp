@@ -76,9 +76,9 @@ double rig_reach(const Rig& rig, const Extent& extent)
     const Vec2 root = rig.bones.front().from;
     double reach = std::max(greatest(difference(extent.x, {root.x, root.x})),
                             greatest(difference(extent.y, {root.y, root.y})));
-    reach *= std::numbers::sqrt2 * play_range_of(rig);
+    reach *= std::numbers::sqrt2 * scale_factor_of(rig);
     for (const Bone& bone : rig.bones)
-        reach += distance(bone.from, root) * play_range_of(rig) + distance(bone.from, bone.to) +
+        reach += distance(bone.from, root) * scale_factor_of(rig) + distance(bone.from, bone.to) +
                  greatest(bone.x) + greatest(bone.y) + (bone.length ? greatest(*bone.length) : 0);
     return reach;
 }
@@ -187,7 +187,7 @@ double scale_factor_of(const Transform& transform)
            skew_scale_factor(transform);
 }
 
-double play_range_of(const Rig& rig)
+double scale_factor_of(const Rig& rig)
 {
     double max = 1;
     for (const Bone& bone : rig.bones)

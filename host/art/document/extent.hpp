@@ -48,7 +48,7 @@ double scale_factor_of(const Transform& transform);
 double skew_scale_factor(const Transform& transform);
 
 /// The factor by which the bones of the rig enlarge distances at most; at least 1.
-double play_range_of(const Rig& rig);
+double scale_factor_of(const Rig& rig);
 
 /// Whether anything is in front of the canvas or behind it, or rotates out of it.
 bool has_depth(const Document& document);

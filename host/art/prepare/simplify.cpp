@@ -223,7 +223,7 @@ private:
         if (shape.stroke)
             simplify(*shape.stroke, share);
         if (shape.skin && shape.skin->rig < rigs_.size())
-            drawing_share /= play_range_of(rigs_[shape.skin->rig]);
+            drawing_share /= scale_factor_of(rigs_[shape.skin->rig]);
         simplify_drawing(shape, drawing_share);
     }
 

@@ -15,7 +15,7 @@ ProgressBar::ProgressBar(std::size_t bytes, std::size_t devices, Shown shown, st
     : done_(devices),
       total_{bytes * devices},
       is_shown_{shown == Shown::on_a_terminal && line_.is_seen()},
-      begin_{Driver::now()},
+      begin_{Clock::now()},
       drawn_{begin_ - between_drawings},
       what_{std::move(what)}
 {
@@ -33,13 +33,13 @@ void ProgressBar::report(std::size_t index, std::size_t bytes)
     const std::lock_guard lock{mutex_};
     done_[index] = bytes;
     const std::size_t done = std::accumulate(done_.begin(), done_.end(), std::size_t{0});
-    if (done == total_ || Driver::now() - drawn_ >= between_drawings)
+    if (done == total_ || Clock::now() - drawn_ >= between_drawings)
         draw(done);
 }
 
 void ProgressBar::draw(std::size_t done)
 {
-    drawn_ = Driver::now();
+    drawn_ = Clock::now();
     line_.show(what_ + progress_text(done, total_, drawn_ - begin_));
 }
 

@@ -33,7 +33,7 @@ public:
     ByteProgressCallback of_device(std::size_t index);
 
 private:
-    using Driver = std::chrono::steady_clock;
+    using Clock = std::chrono::steady_clock;
 
     void report(std::size_t index, std::size_t bytes);
     void draw(std::size_t done);
@@ -43,8 +43,8 @@ private:
     std::size_t total_;
     StatusLine line_;
     bool is_shown_;
-    Driver::time_point begin_;
-    Driver::time_point drawn_;
+    Clock::time_point begin_;
+    Clock::time_point drawn_;
     std::string what_; ///< comes first
 };
 

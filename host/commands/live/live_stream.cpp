@@ -28,8 +28,8 @@ class Metronome {
 public:
     /// Without a rate it is always time.
     explicit Metronome(const std::optional<double>& rate)
-        : step_{rate ? std::chrono::duration_cast<Driver::duration>(std::chrono::duration<double>{1 / *rate})
-                     : Driver::duration{0}}
+        : step_{rate ? std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{1 / *rate})
+                     : Clock::duration{0}}
     {
     }
 
@@ -37,7 +37,7 @@ public:
     /// shifts the rest only when it is very late.
     bool is_due(Milliseconds patience)
     {
-        const auto now = Driver::now();
+        const auto now = Clock::now();
         if (now < due_) {
             std::this_thread::sleep_until(std::min(due_, now + patience));
             return false;
@@ -48,10 +48,10 @@ public:
     }
 
 private:
-    using Driver = std::chrono::steady_clock;
+    using Clock = std::chrono::steady_clock;
 
-    Driver::duration step_;
-    Driver::time_point due_ = Driver::now();
+    Clock::duration step_;
+    Clock::time_point due_ = Clock::now();
 };
 
 constexpr std::size_t longest_line = 65536;

@@ -26,10 +26,8 @@ std::filesystem::path output_path(const std::filesystem::path& output, const std
 /// Makes it, unless it is there. Throws Failure.
 void make_output_folder(const std::filesystem::path& folder);
 
-/// How a command reports what it has done or found. The values must outlive the parsing of `app`; the options
-/// are returned, so that others can exclude them.
-
-/// Adds --json, with which a command prints JSON to standard output in place of its text.
+/// Adds --json, with which a command prints JSON to standard output in place of its text. As of the next one,
+/// the value must outlive the parsing of `app`; the option is returned, so that others can exclude it.
 CLI::Option* declare_json(CLI::App& app, bool& json);
 /// Adds -q, --quiet, with which a command prints nothing but errors and warnings about a scene.
 CLI::Option* declare_quiet(CLI::App& app, bool& quiet);

@@ -97,7 +97,7 @@ void WorkBar::report(std::size_t done, std::size_t total)
 {
     if (!line_.is_seen() || total == 0)
         return;
-    const Driver::time_point now = Driver::now();
+    const Clock::time_point now = Clock::now();
     if (now - begin_ < before_first_drawing || now - drawn_ < between_drawings)
         return;
     drawn_ = now;

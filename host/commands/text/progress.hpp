@@ -49,12 +49,12 @@ public:
     }
 
 private:
-    using Driver = std::chrono::steady_clock;
+    using Clock = std::chrono::steady_clock;
 
     std::string what_;
     StatusLine line_;
-    Driver::time_point begin_ = Driver::now();
-    Driver::time_point drawn_ = begin_;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point drawn_ = begin_;
 };
 
 }

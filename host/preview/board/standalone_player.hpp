@@ -21,7 +21,7 @@ public:
 
     bool set(std::uint32_t number, const InputContent& content) final
     {
-        return kfast::set_input(player_, number, content);
+        return give_input(player_, number, content);
     }
 
 private:

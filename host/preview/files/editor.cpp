@@ -199,7 +199,7 @@ pid_t started(const std::string& editor, const TextLine& at)
     return process;
 }
 
-/// How an editor failed that found nothing to do; empty if it went well.
+/// The message for an editor that was not there or ended with an error; empty if it went well or was stopped.
 std::string failure_of(const std::string& editor, int status)
 {
     constexpr int not_found = 127; // of a shell
@@ -219,7 +219,7 @@ int status_at_end(pid_t process)
     return status;
 }
 
-/// While it lives, keys that end programs end only the editor.
+/// While it lives, this program ignores the keys that end programs; the editor gets them.
 class SparedFromKeys {
 public:
     SparedFromKeys()

@@ -141,7 +141,7 @@ bool OverlaySource::set(std::uint32_t number, const InputContent& content)
 {
     for (InputReceiver* const player : parts_->players())
         player->set(number, content);
-    return kfast::set_input(parts_->posed, number, content);
+    return give_input(parts_->posed, number, content);
 }
 
 }

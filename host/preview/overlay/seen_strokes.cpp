@@ -16,25 +16,24 @@ namespace {
 /// Keeps the traced strokes, as they are seen.
 class StrokeList {
 public:
-    explicit StrokeList(const Projection* projection) : sight_{projection, 0} {}
+    explicit StrokeList(const Projection* projection) : view_{projection, 0} {}
 
     void begin(Point from)
     {
         strokes_.emplace_back();
-        stroke().points.push_back(sight_(from));
-        stroke().line.push_back(sight_(from));
+        stroke().points.push_back(view_(from));
+        stroke().line.push_back(view_(from));
     }
 
     void add(const Segment& segment)
     {
-        const Point to = sight_(segment.to);
+        const Point to = view_(segment.to);
         if (segment.kind == Segment::Kind::cubic) {
-            stroke().controls.push_back({sight_(segment.from), sight_(segment.c1)});
-            stroke().controls.push_back({to, sight_(segment.c2)});
+            stroke().controls.push_back({view_(segment.from), view_(segment.c1)});
+            stroke().controls.push_back({to, view_(segment.c2)});
         }
         stroke().points.push_back(to);
-        flatten(segment, sight_.pieces_of(segment),
-                [this](Point at) { stroke().line.push_back(sight_(at)); });
+        flatten(segment, view_.pieces_of(segment), [this](Point at) { stroke().line.push_back(view_(at)); });
     }
 
     void end(Point /*hub*/, bool is_closed)
@@ -49,7 +48,7 @@ public:
 private:
     SeenStroke& stroke() { return strokes_.back(); }
 
-    ViewProjection sight_;
+    ViewProjection view_;
     std::vector<SeenStroke> strokes_;
 };
 

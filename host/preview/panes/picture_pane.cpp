@@ -33,7 +33,7 @@ int begin_of(int pane, int room, int length, double pan)
 
 }
 
-PicturePlace::PicturePlace(Size panel, Rect pane, int zoom, WindowSpot pan, int margin)
+PictureLayout::PictureLayout(Size panel, Rect pane, int zoom, WindowSpot pan, int margin)
     : panel_{panel}, pane_{pane}
 {
     rect_ = fitting(panel, pane, margin);
@@ -47,24 +47,24 @@ PicturePlace::PicturePlace(Size panel, Rect pane, int zoom, WindowSpot pan, int 
              begin_of(pane.y, pane.height, size.height, pan_.y), size.width, size.height};
 }
 
-double PicturePlace::scale() const
+double PictureLayout::scale() const
 {
     return std::max(rect_.width / static_cast<double>(panel_.width),
                     rect_.height / static_cast<double>(panel_.height));
 }
 
-WindowSpot PicturePlace::window_spot(PanelSpot spot) const
+WindowSpot PictureLayout::window_spot(PanelSpot spot) const
 {
     return {rect_.x + spot.x * rect_.width / panel_.width, rect_.y + spot.y * rect_.height / panel_.height};
 }
 
-PanelSpot PicturePlace::panel_spot(WindowSpot spot) const
+PanelSpot PictureLayout::panel_spot(WindowSpot spot) const
 {
     return {(spot.x - rect_.x) * panel_.width / rect_.width,
             (spot.y - rect_.y) * panel_.height / rect_.height};
 }
 
-int PicturePlace::next_zoom(bool larger) const
+int PictureLayout::next_zoom(bool larger) const
 {
     const double here = scale();
     if (larger) {
@@ -77,7 +77,7 @@ int PicturePlace::next_zoom(bool larger) const
     return fitting_scale_ < here && fitting_scale_ >= next ? 0 : next;
 }
 
-WindowSpot PicturePlace::pan_for(int zoom, WindowSpot spot) const
+WindowSpot PictureLayout::pan_for(int zoom, WindowSpot spot) const
 {
     const PanelSpot fixed = panel_spot(spot);
     const auto pan = [zoom](double at, double on_panel, int begin, int room, int pixels) {
@@ -150,7 +150,7 @@ void draw_round_module(Painter& painter, Rect glass, int margin)
     draw_ring(painter, middle, edge - 1, edge, theme::module_edge);
 }
 
-void draw_grid(Painter& painter, const PicturePlace& place)
+void draw_grid(Painter& painter, const PictureLayout& place)
 {
     const int step = static_cast<int>(place.scale());
     const Rect seen = common(place.rect(), place.pane());
@@ -165,7 +165,7 @@ void draw_grid(Painter& painter, const PicturePlace& place)
         painter.fill({seen.x, y, seen.width, 1}, theme::pixel_grid);
 }
 
-void draw_area(Painter& painter, const Overlay::Area& area, const PicturePlace& place)
+void draw_area(Painter& painter, const Overlay::Area& area, const PictureLayout& place)
 {
     const Rect& panel = area.place;
     const WindowSpot from = place.window_spot({static_cast<double>(panel.x), static_cast<double>(panel.y)});
@@ -184,14 +184,14 @@ void draw_dark_edged_line(Painter& painter, WindowSpot from, WindowSpot to, doub
     draw_line(painter, from, to, width, colour);
 }
 
-void draw_line(Painter& painter, const Overlay::Line& line, const PicturePlace& place)
+void draw_line(Painter& painter, const Overlay::Line& line, const PictureLayout& place)
 {
     const double width = line.kind == MarkKind::bone || line.kind == MarkKind::backbone ? 2.5 : 1.4;
     draw_dark_edged_line(painter, place.window_spot(line.from), place.window_spot(line.to), width,
                          theme::mark(line.kind));
 }
 
-void draw_dot(Painter& painter, const Overlay::Dot& dot, const PicturePlace& place)
+void draw_dot(Painter& painter, const Overlay::Dot& dot, const PictureLayout& place)
 {
     const WindowSpot at = place.window_spot(dot.at);
     const double radius = dot.kind == MarkKind::bone || dot.kind == MarkKind::backbone ? 4 : 3;
@@ -199,7 +199,7 @@ void draw_dot(Painter& painter, const Overlay::Dot& dot, const PicturePlace& pla
     draw_disc(painter, at, radius, theme::mark(dot.kind));
 }
 
-void draw_label(Painter& painter, const Overlay::Label& label, const PicturePlace& place)
+void draw_label(Painter& painter, const Overlay::Label& label, const PictureLayout& place)
 {
     constexpr Size letter = Painter::letter;
     constexpr int away = 5; // from the dot that it belongs to
@@ -215,7 +215,7 @@ void draw_label(Painter& painter, const Overlay::Label& label, const PicturePlac
 
 int module_margin(Rect pane) { return std::clamp(std::min(pane.width, pane.height) / 18, 12, 30); }
 
-void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& place,
+void draw_picture(Painter& painter, const Picture& picture, const PictureLayout& place,
                   const PictureLook& look)
 {
     const Clipped within{painter, place.pane()};
@@ -233,7 +233,7 @@ void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& 
         draw_round_edge(painter, place.rect());
 }
 
-void draw_overlay(Painter& painter, const Overlay& overlay, const PicturePlace& place)
+void draw_overlay(Painter& painter, const Overlay& overlay, const PictureLayout& place)
 {
     const Clipped within{painter, place.pane()};
     for (const Overlay::Area& area : overlay.areas)

@@ -6,12 +6,12 @@
 namespace kfast {
 
 /// Where the picture of a panel is in a pane of the window, and how large; the pane may show a part of it.
-class PicturePlace {
+class PictureLayout {
 public:
     /// `zoom` window pixels for each pixel of the panel; 0: as large as fits whole, with `margin` pixels of
     /// the window left on each side. What is smaller than the pane is centred; the rest is moved by `pan`
     /// out of the middle, but not away from the pane.
-    PicturePlace(Size panel, Rect pane, int zoom, WindowSpot pan = {}, int margin = 0);
+    PictureLayout(Size panel, Rect pane, int zoom, WindowSpot pan = {}, int margin = 0);
 
     Rect rect() const { return rect_; }
     Rect pane() const { return pane_; }
@@ -48,10 +48,10 @@ int module_margin(Rect pane);
 
 /// Fills the pane, with an edge around the picture. From 8 pixels for each pixel of the panel on a grid
 /// separates them.
-void draw_picture(Painter& painter, const Picture& picture, const PicturePlace& place,
+void draw_picture(Painter& painter, const Picture& picture, const PictureLayout& place,
                   const PictureLook& look);
 
 /// Bones, points and numbers above the picture.
-void draw_overlay(Painter& painter, const Overlay& overlay, const PicturePlace& place);
+void draw_overlay(Painter& painter, const Overlay& overlay, const PictureLayout& place);
 
 }

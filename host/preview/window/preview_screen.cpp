@@ -52,7 +52,7 @@ WindowLayout PreviewScreen::layout(Viewer& viewer) const
                                    .picture_margin = margin(view, {0, 0, window_.width, window_.height})});
 }
 
-PicturePlace PreviewScreen::place(const Viewer& viewer, Rect pane) const
+PictureLayout PreviewScreen::place(const Viewer& viewer, Rect pane) const
 {
     const ViewOptions& view = viewer.view();
     return {viewer.scene().panel, pane, view.zoom, pan_, margin(view, pane)};
@@ -100,7 +100,7 @@ void PreviewScreen::draw_help_and_errors(Painter& painter, const Viewer& viewer,
 
 std::string PreviewScreen::draw_picture_pane(Painter& painter, Viewer& viewer, Rect pane) const
 {
-    const PicturePlace shown = place(viewer, pane);
+    const PictureLayout shown = place(viewer, pane);
     draw_picture(painter, viewer.picture(), shown,
                  {.is_round = viewer.scene().is_round, .has_module = viewer.view().panel_frame});
     const Overlay& overlay = viewer.overlay(shown.scale());
@@ -150,7 +150,7 @@ void PreviewScreen::press(PreviewKey key, Viewer& viewer, Seconds now)
 
 void PreviewScreen::zoom(Viewer& viewer, bool larger, WindowSpot around)
 {
-    const PicturePlace before = place(viewer, layout(viewer).picture);
+    const PictureLayout before = place(viewer, layout(viewer).picture);
     const int next = before.next_zoom(larger);
     pan_ = next == 0 ? WindowSpot{} : before.pan_for(next, around);
     viewer.set_zoom(next);
@@ -224,7 +224,7 @@ void PreviewScreen::go_on_dragging(const PointerEvent& event, Viewer& viewer)
 void PreviewScreen::end_drag(const PointerEvent& event, Viewer& viewer)
 {
     if (drag_ == Drag::picture && is_click_) {
-        const PicturePlace shown = place(viewer, layout(viewer).picture);
+        const PictureLayout shown = place(viewer, layout(viewer).picture);
         viewer.select(viewer.item_at(shown.panel_spot(spot_of(event))));
     }
     drag_ = Drag::none;

@@ -32,7 +32,7 @@ private:
     enum class Drag : std::uint8_t { none, picture, moment, row };
 
     WindowLayout layout(Viewer& viewer) const;
-    PicturePlace place(const Viewer& viewer, Rect pane) const;
+    PictureLayout place(const Viewer& viewer, Rect pane) const;
     TimeLine time_line(Viewer& viewer, Rect pane) const;
 
     /// Returns the facts of its overlay.

@@ -25,7 +25,8 @@ struct ReadBackbone {
     std::vector<double> widths;
 };
 
-/// Adds what `node`, a width or a left or right side, says about the backbone; reports it if that fails.
+/// Adds what `node`, a width or a left or right side, says about the backbone. Returns false, which is
+/// reported, if it has one already.
 bool add_side(const kdl::Node& node, BackboneNodes& nodes, SceneContext& context);
 bool is_side(std::string_view name);
 

@@ -44,7 +44,7 @@ std::vector<BoneFrame> frames(const std::vector<Bone>& bones, ValuesOf values_of
     frames.reserve(bones.size());
     for (const Bone& bone : bones) {
         const BoneFrame parent = bone.parent ? frames[*bone.parent] : BoneFrame{};
-        const double stretch = bone.parent ? play_range_of(bones[*bone.parent], parent) : 0;
+        const double stretch = bone.parent ? lengthening_of(bones[*bone.parent], parent) : 0;
         frames.push_back(frame_in(parent, bone, values_of(bone), stretch));
     }
     return frames;
@@ -81,7 +81,7 @@ BoneValues values_at(const Bone& bone, Time time)
     return values;
 }
 
-double play_range_of(const Bone& bone, const BoneFrame& frame)
+double lengthening_of(const Bone& bone, const BoneFrame& frame)
 {
     return frame.length - set_up_value(bone, BoneQuantity::length) / units_per_pixel;
 }
@@ -109,7 +109,7 @@ BoneFrame frame_at(const std::vector<Bone>& bones, std::size_t bone, Time time)
     if (!own.parent)
         return frame_in({}, own, values_at(own, time), 0);
     const BoneFrame parent = frame_at(bones, *own.parent, time);
-    return frame_in(parent, own, values_at(own, time), play_range_of(bones[*own.parent], parent));
+    return frame_in(parent, own, values_at(own, time), lengthening_of(bones[*own.parent], parent));
 }
 
 BoneMotion::BoneMotion(const BoneFrame& set_up, const BoneFrame& posed)

@@ -33,7 +33,7 @@ BoneValues values_as_set_up(const Bone& bone);
 BoneValues values_at(const Bone& bone, Time time);
 
 /// How many pixels longer than as set up `bone`, which is in `frame`, is.
-double play_range_of(const Bone& bone, const BoneFrame& frame);
+double lengthening_of(const Bone& bone, const BoneFrame& frame);
 
 /// The frame of a bone with `values` in that of its parent, which is `stretch` pixels longer than as set up.
 /// That of a root's parent is the canvas: a frame at 0.

@@ -209,7 +209,7 @@ Arm arm_at(const std::vector<Bone>& bones, std::size_t bone, Time time)
 {
     const std::size_t upper = *bones[bone].parent;
     BoneFrame base = frame_at(bones, upper, time);
-    const double stretch = play_range_of(bones[upper], base);
+    const double stretch = lengthening_of(bones[upper], base);
     base.angle -= values_at(bones[upper], time).front();
     const BoneFrame lower = frame_in({}, bones[bone], values_at(bones[bone], time), stretch);
     return {base, lower.origin, lower.length};

@@ -59,8 +59,6 @@ bool read_own_driver(const kdl::Value& value, Target& target, SceneContext& cont
     return driver.has_value();
 }
 
-/// What keys have in common that are in the order of their times.
-
 /// Where and when something is.
 struct PlacedMoment {
     Time time;

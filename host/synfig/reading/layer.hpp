@@ -128,7 +128,7 @@ private:
     std::map<std::string, ValueNodePtr, std::less<>> parameters_;
 };
 
-/// How far a number may be off, for opacities, positions and angles.
+/// How far values of each kind may be off: positions in pixels, angles in degrees, the rest as fractions.
 inline constexpr double opacity_tolerance = 1.0 / 1020;
 inline constexpr double colour_tolerance = 1.0 / 1020;
 inline constexpr double place_tolerance = 1.0 / 128; ///< pixels

@@ -42,7 +42,7 @@ void draw_everything(Painter& painter, Rect pane)
                           {{{5, 5}, "12", MarkKind::point}},
                           {}};
     for (const int zoom : {0, 1, 40}) {
-        const PicturePlace place{{32, 32}, pane, zoom, {3, 3}, module_margin(pane)};
+        const PictureLayout place{{32, 32}, pane, zoom, {3, 3}, module_margin(pane)};
         for (const bool is_round : {false, true})
             draw_picture(painter, picture_of({32, 32}), place, {is_round, true});
         draw_overlay(painter, overlay, place);
@@ -153,7 +153,7 @@ TEST_CASE("an edge lies around the picture, not over it")
 {
     RasterPainter painter;
     painter.begin({40, 40});
-    const PicturePlace place{{16, 16}, {0, 0, 40, 40}, 1};
+    const PictureLayout place{{16, 16}, {0, 0, 40, 40}, 1};
     draw_picture(painter, picture_of({16, 16}), place, {});
     const Rect edge = {place.rect().x - 1, place.rect().y - 1, 18, 18};
     int edges = 0;
@@ -183,7 +183,7 @@ TEST_CASE("a grid tells pixels apart once they are large")
 
 TEST_CASE("marks lie where the picture shows what they mark")
 {
-    const PicturePlace place{{10, 10}, {0, 0, 100, 100}, 10};
+    const PictureLayout place{{10, 10}, {0, 0, 100, 100}, 10};
     RecordingPainter painter{{100, 100}};
     draw_overlay(painter, {{}, {}, {{{5, 2}, MarkKind::point}}, {{{5, 2}, "7", MarkKind::point}}, {}}, place);
     REQUIRE(painter.shapes.size() == 2);
