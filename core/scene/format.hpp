@@ -172,12 +172,12 @@ inline constexpr BitField<13, 3, 16> less_control_width; ///< how much less than
 
 /// "Forms": the number of segments.
 namespace segments {
-inline constexpr BitFlag<0> are_foretold;
+inline constexpr BitFlag<0> are_predicted;
 inline constexpr BitField<1, 31> count;
 }
 
-/// "Forms": the byte of foretold cubics.
-namespace foretold {
+/// "Forms": the byte of predicted cubics.
+namespace predicted_cubics {
 inline constexpr BitField<0, 5> first_control_width;
 inline constexpr BitField<5, 3, 8> more_control_width; ///< how much more than `end_width`
 }

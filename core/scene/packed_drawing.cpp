@@ -69,14 +69,14 @@ std::uint32_t StrokeForm::packed() const
 
 void StrokeForm::predict(std::uint32_t byte)
 {
-    predicted = bits_within(kfb::foretold::first_control_width.get(byte));
-    controls.bits = bits_within(controls.bits + kfb::foretold::more_control_width.get(byte));
+    predicted = bits_within(kfb::predicted_cubics::first_control_width.get(byte));
+    controls.bits = bits_within(controls.bits + kfb::predicted_cubics::more_control_width.get(byte));
 }
 
 std::uint32_t StrokeForm::predicting() const
 {
-    return kfb::foretold::first_control_width.put(predicted) |
-           kfb::foretold::more_control_width.put(more(controls.bits, ends.bits));
+    return kfb::predicted_cubics::first_control_width.put(predicted) |
+           kfb::predicted_cubics::more_control_width.put(more(controls.bits, ends.bits));
 }
 
 namespace {
@@ -153,7 +153,7 @@ void PackedDrawing::begin(std::uint32_t head, ByteReader form)
     form_ = StrokeForm::unpacked(head);
     const std::uint32_t count = form.varint();
     left_ = kfb::segments::count.get(count);
-    if (kfb::segments::are_foretold.get(count))
+    if (kfb::segments::are_predicted.get(count))
         predict(form.u8());
     half_ = form_.end == StrokeEnd::turned ? left_ / 2 : 0;
     is_known_ = is_known_ && !form.overrun() && form_.packed() == head && form_.mix != SegmentMix::repeat &&

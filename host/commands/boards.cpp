@@ -1,5 +1,5 @@
-#include "host/commands/boards.hpp"
-
+#include "core/math/point.hpp"
+#include "core/pixel/pixel_format.hpp"
 #include "firmware/settings/controller_facts.hpp"
 #include "host/commands/command.hpp"
 #include "host/commands/flash/settings_choice.hpp"
@@ -18,11 +18,24 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace kfast {
 
 namespace {
+
+/// A panel that some command knows by its name.
+struct ListedPanel {
+    std::string name;
+    Size size;
+    PixelFormat format;
+    std::string bus;         ///< "spi, parallel"
+    bool is_drawn = false;   ///< by --panel of render, preview and others that draw, and of kfast panel
+    bool is_fitted = false;  ///< by kfast fit --panel
+    bool is_flashed = false; ///< by kfast flash --panel
+};
 
 std::string buses_of(const ControllerFacts& facts)
 {
@@ -61,8 +74,7 @@ ListedPanel panel_of_settings(const std::string& name)
             .is_flashed = true};
 }
 
-}
-
+/// What pixels of this format can show: "65536 colours", "16 greys", "black and white".
 std::string colours_text(PixelFormat format)
 {
     const int bits = bits_per_pixel(format);
@@ -72,6 +84,7 @@ std::string colours_text(PixelFormat format)
     return count + (format == PixelFormat::grey4 ? " greys" : " colours");
 }
 
+/// All panels that some command knows, by name.
 std::vector<ListedPanel> listed_panels()
 {
     std::vector<ListedPanel> panels;
@@ -89,8 +102,6 @@ std::vector<ListedPanel> listed_panels()
     std::ranges::sort(panels, {}, &ListedPanel::name);
     return panels;
 }
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 

@@ -1,5 +1,4 @@
 #include "host/commands/command.hpp"
-#include "host/commands/export/export_header.hpp"
 #include "host/commands/export/export_kinds.hpp"
 #include "host/commands/import/import_options.hpp"
 #include "host/commands/options/beam_options.hpp"

@@ -20,7 +20,7 @@ IN_WORDS = {
     "kerning": "256 × the left glyph + the right one",
     "skin": "4 × (number of points − 1) + number of bones − 1",
     "repeated_form": "3 + 4 if it is mirrored in x, + 8 if in y",
-    "segments": "2 × number of segments, + 1 if cubics are foretold",
+    "segments": "2 × number of segments, + 1 if cubics are predicted",
     "sparse_vector": "two bits come first: whether x and whether y is stored",
 }
 

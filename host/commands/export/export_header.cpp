@@ -1,7 +1,6 @@
-#include "host/commands/export/export_header.hpp"
+#include "host/commands/export/export_kinds.hpp"
 
 #include "core/math/point.hpp"
-#include "host/commands/export/export_kinds.hpp"
 #include "host/commands/options/output_options.hpp"
 #include "host/commands/text/summary.hpp"
 #include "host/compile/scene_file.hpp"
@@ -158,6 +157,10 @@ const std::string& checked_c_name(const std::string& name)
     return name;
 }
 
+namespace {
+
+/// The name of an array made from that of a file: "robot_eyes" from "art/robot-eyes.kfast".
+/// Throws Failure when that makes none.
 std::string c_name_for(const std::string& file)
 {
     std::string name;
@@ -174,6 +177,8 @@ std::string c_name_for(const std::string& file)
         throw Failure(file + ": this name makes none for an array (" + in_quotes(name) + ": " + wrong +
                       "): choose one with --array-name");
     return name;
+}
+
 }
 
 void export_header(const ExportOptions& options)

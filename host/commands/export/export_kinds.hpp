@@ -29,6 +29,10 @@ struct ExportOptions {
 /// Where to: as chosen, else the scene's name with this ending.
 std::filesystem::path export_path(const ExportOptions& options, const char* ending);
 
+/// `name`, if it can be the name of an array in C and in C++, also with a few letters after it; else throws
+/// CLI::ValidationError for the option --array-name.
+const std::string& checked_c_name(const std::string& name);
+
 void export_header(const ExportOptions& options);
 void export_ilda(const ExportOptions& options);
 void export_wave(const ExportOptions& options);

@@ -45,7 +45,7 @@ void join_facts(const OptionFacts& more, OptionFacts& all)
     all.offered.insert(all.offered.end(), more.offered.begin(), more.offered.end());
 }
 
-CLI::Option* tell(CLI::Option* option, OptionFacts facts)
+CLI::Option* add_facts(CLI::Option* option, OptionFacts facts)
 {
     return option->check(with_facts(CLI::Validator{}, std::move(facts)));
 }
@@ -70,22 +70,22 @@ OptionFacts option_facts(const CLI::Option& option)
 
 CLI::Option* reads_file(CLI::Option* option, std::vector<std::string> endings)
 {
-    return tell(option, {.kind = OptionKind::file_to_read, .endings = std::move(endings)});
+    return add_facts(option, {.kind = OptionKind::file_to_read, .endings = std::move(endings)});
 }
 
 CLI::Option* writes_file(CLI::Option* option, std::vector<std::string> endings)
 {
-    return tell(option, {.kind = OptionKind::file_to_write, .endings = std::move(endings)});
+    return add_facts(option, {.kind = OptionKind::file_to_write, .endings = std::move(endings)});
 }
 
 CLI::Option* names_folder(CLI::Option* option, std::vector<std::string> endings)
 {
-    return tell(option, {.kind = OptionKind::folder, .endings = std::move(endings)});
+    return add_facts(option, {.kind = OptionKind::folder, .endings = std::move(endings)});
 }
 
 CLI::Option* offer(CLI::Option* option, const std::vector<std::string_view>& words)
 {
-    return tell(option, {.offered = {words.begin(), words.end()}});
+    return add_facts(option, {.offered = {words.begin(), words.end()}});
 }
 
 CLI::Validator with_facts(CLI::Validator check, OptionFacts facts)

@@ -203,7 +203,7 @@ void write_head(const Steps& steps, const StrokeForm& form, ByteWriter& bytes)
 {
     bytes.u16(form.packed());
     bytes.varint(kfb::segments::count.put(steps.size()) |
-                 kfb::segments::are_foretold.put(form.predicted != 0));
+                 kfb::segments::are_predicted.put(form.predicted != 0));
     if (form.predicted != 0)
         bytes.u8(form.predicting());
 }
