@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace kfast::synfig {
 
@@ -45,6 +47,7 @@ public:
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    static constexpr std::size_t max_kept_pairs = 100'000;
 
     /// Parents first.
     void add(std::size_t index, PosedRig& result)
@@ -71,7 +74,7 @@ private:
         const Tracing turns = tracing(angle_tolerance);
         const Tracing places = tracing(place_tolerance);
         const std::function<double(double)> rotation = [&](double frame) {
-            const auto pairs = pairs_at(frame);
+            const auto& pairs = pairs_at(frame);
             return turned(pairs, index) - (parents_[index] ? turned(pairs, *parents_[index]) : 0);
         };
         const std::function<double(double)> x = [&](double frame) { return shift(index, frame).x; };
@@ -89,12 +92,17 @@ private:
         return bone;
     }
 
-    /// As many as at the beginning: lists of bones may change over time.
-    std::vector<BonePair> pairs_at(double frame) const
+    /// As many as at the beginning: lists of bones may change over time. Valid until the next call. They are
+    /// kept, as all values of all bones are traced at much the same frames.
+    const std::vector<BonePair>& pairs_at(double frame) const
     {
+        if (const auto known = pairs_.find(frame); known != pairs_.end())
+            return known->second;
+        if (pairs_.size() * first_.size() > max_kept_pairs)
+            pairs_.clear();
         auto pairs = bones_.pairs_at(frame);
         pairs.resize(first_.size());
-        return pairs;
+        return pairs_.emplace(frame, std::move(pairs)).first->second;
     }
 
     static double length_of(const Bone& bone) { return scene::distance(bone.from(), bone.to()); }
@@ -113,7 +121,7 @@ private:
     /// The shift of the beginning of a bone, as if its parent had not rotated.
     Vec2 shift(std::size_t index, double frame) const
     {
-        const auto pairs = pairs_at(frame);
+        const auto& pairs = pairs_at(frame);
         const art::Affine& to_canvas = reading_.to_canvas;
         const Vec2 now = to_canvas.of(pairs[index].pose.from());
         const Vec2 rest = to_canvas.of(pairs[index].rest.from());
@@ -129,6 +137,7 @@ private:
     std::vector<BonePair> first_;
     std::vector<std::optional<std::size_t>> parents_;
     std::vector<std::string> names_;
+    mutable std::map<double, std::vector<BonePair>> pairs_;
 };
 
 }
