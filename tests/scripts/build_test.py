@@ -12,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CMAKE = f"""#!/bin/bash
 [ "$1" != --list-presets ] || exec {shutil.which("cmake")} "$@"
 echo "cmake $*" >>calls
+echo "${{CMAKE_CXX_COMPILER_LAUNCHER-none}}" >launcher
 """
 
 
@@ -27,8 +28,8 @@ class BuildTest(unittest.TestCase):
         (self.folder / "bin/cmake").write_text(CMAKE, encoding="utf-8")
         (self.folder / "bin/cmake").chmod(0o755)
 
-    def build(self, *arguments, status=0):
-        environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
+    def build(self, *arguments, status=0, **environment):
+        environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}", **environment}
         result = subprocess.run([self.folder / "scripts/build", *arguments], env=environment, capture_output=True, text=True,
                                 timeout=60, check=False)
         self.assertEqual(status, result.returncode, result.stdout + result.stderr)
@@ -42,6 +43,16 @@ class BuildTest(unittest.TestCase):
         self.build("pico", "command")
         self.assertEqual(["cmake --preset pico", "cmake --build --preset pico", "cmake --preset command",
                           "cmake --build --preset command"], self.calls())
+
+    def test_ccache_starts_the_compilers_where_it_is_installed(self):
+        (self.folder / "bin/ccache").write_text("#!/bin/sh\n", encoding="utf-8")
+        (self.folder / "bin/ccache").chmod(0o755)
+        os.environ.pop("CMAKE_CXX_COMPILER_LAUNCHER", None)
+        for environment, launcher in (({}, "ccache"), ({"CMAKE_CXX_COMPILER_LAUNCHER": "distcc"}, "distcc"),
+                                      ({"CMAKE_CXX_COMPILER_LAUNCHER": ""}, "")):
+            with self.subTest(environment):
+                self.build("pico", **environment)
+                self.assertEqual(f"{launcher}\n", (self.folder / "launcher").read_text(encoding="utf-8"))
 
     def test_help_lists_the_presets_and_what_they_are_for(self):
         printed = self.build("--help").stdout
