@@ -2,6 +2,7 @@
 
 #include "tests/core/panel_memory.hpp"
 #include "tests/core/player_fixture.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -109,7 +110,7 @@ TEST_CASE("an input stands at its usual place at first, and is held within its r
 
 TEST_CASE("the panel shows what a full redraw would, however inputs and time move")
 {
-    for (unsigned seed = 0; seed < 12; ++seed) {
+    for (unsigned seed = 0; seed < static_cast<unsigned>(rounds(12)); ++seed) {
         std::mt19937 random{seed};
         PlayerFixture fixture{two_inputs, canvas};
         PanelMemory<PixelFormat::rgb565> memory{canvas};

@@ -3,6 +3,7 @@
 #include "core/bytes/crc32.hpp"
 #include "tests/core/moving_scenes.hpp"
 #include "tests/core/player_fixture.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -89,7 +90,7 @@ TEST_CASE("no moment of what is carried or turned needs more steps than can be t
     for (const RawScene& scene : moving_scenes())
         for (const Size panel : {canvas, Size{7, 5}, Size{480, 320}}) {
             PlayerFixture fixture{scene.file(), panel};
-            for (int round = 0; round < 1000; ++round) {
+            for (int round = 0; round < rounds(1000); ++round) {
                 fixture.player.show({static_cast<std::int32_t>(random())});
                 CHECK(fixture.player.picture().step_count <= fixture.scene.paint_steps());
             }

@@ -1,6 +1,7 @@
 #include "core/player.hpp"
 
 #include "tests/core/player_fixture.hpp"
+#include "tests/rounds.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -157,7 +158,7 @@ TEST_CASE("mirrors exchange left and right, or up and down, and leave lines alon
 TEST_CASE("any chain of quarter turns, mirrors and moves is what is written where it leads to")
 {
     std::mt19937 random{71};
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < rounds(60); ++round) {
         std::vector<Spot> spots(3 + random() % 3);
         for (Spot& spot : spots)
             spot = {static_cast<int>(random() % 40), static_cast<int>(random() % 40)};

@@ -3,6 +3,7 @@
 #include "core/bytes/crc32.hpp"
 #include "tests/core/everything.hpp"
 #include "tests/core/player_fixture.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -68,7 +69,7 @@ TEST_CASE("no moment needs more memory for outlines, or more steps, than the sce
             PlayerFixture fixture{text, panel};
             std::size_t max_bytes = 0;
             std::size_t max_steps = 0;
-            for (int round = 0; round < 3000; ++round) {
+            for (int round = 0; round < rounds(3000); ++round) {
                 fixture.player.show({static_cast<std::int32_t>(random())});
                 const raster::Picture& picture = fixture.player.picture();
                 CHECK(picture.coarseness == 0);

@@ -2,6 +2,7 @@
 
 #include "tests/core/played.hpp"
 #include "tests/core/slow_playhead.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -141,7 +142,7 @@ TEST_CASE("a long sleep loses no pass")
 
 TEST_CASE("places and reports are those of a step-by-step playhead, however the way is divided")
 {
-    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(rounds(3000)); ++seed) {
         CAPTURE(seed);
         Chance chance{seed};
         const PlayRange stretch = chance.stretch();

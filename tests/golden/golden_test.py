@@ -24,11 +24,16 @@ def kfast(program, *arguments):
 
 
 def hashes(program, scene):
-    return "".join(f"# {' '.join(panel) or 'canvas'}\n" + kfast(program, "hash", scene, *panel) for panel in PANELS)
+    """By panel, what is told of all frames."""
+    return {" ".join(panel) or "canvas": kfast(program, "hash", scene, *panel) for panel in PANELS}
 
 
-def picture_frames(program, scene):
-    frames = len(kfast(program, "hash", scene).splitlines())
+def as_file(told):
+    return "".join(f"# {panel}\n{lines}" for panel, lines in told.items())
+
+
+def picture_frames(told):
+    frames = len(told["canvas"].splitlines())
     return sorted({index * (frames - 1) // (PICTURES - 1) for index in range(PICTURES)})
 
 
@@ -43,17 +48,19 @@ def same(one, other):
 
 def bless(program, case):
     scene = case / "scene.kfast"
-    (case / "hashes.txt").write_text(hashes(program, scene), encoding="utf-8")
-    for frame in picture_frames(program, scene):
+    told = hashes(program, scene)
+    (case / "hashes.txt").write_text(as_file(told), encoding="utf-8")
+    for frame in picture_frames(told):
         draw(program, scene, frame, case / f"{frame:04}.png")
 
 
 def differences(program, case):
     scene = case / "scene.kfast"
-    if hashes(program, scene) != (case / "hashes.txt").read_text(encoding="utf-8"):
+    told = hashes(program, scene)
+    if as_file(told) != (case / "hashes.txt").read_text(encoding="utf-8"):
         yield f"{case.name}: hashes.txt differs"
     with tempfile.TemporaryDirectory() as folder:
-        for frame in picture_frames(program, scene):
+        for frame in picture_frames(told):
             drawn = pathlib.Path(folder) / "drawn.png"
             draw(program, scene, frame, drawn)
             if not same(drawn, case / f"{frame:04}.png"):

@@ -1,4 +1,5 @@
 #include "core/math/fixed.hpp"
+#include "tests/rounds.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -64,7 +65,7 @@ TEST_CASE("32-bit steps multiply as 64 bits do")
         if (exact == static_cast<std::int32_t>(exact))
             REQUIRE(multiply_q16(value, factor) == exact);
     };
-    for (int round = 0; round < 1'000'000; ++round)
+    for (int round = 0; round < rounds(1'000'000); ++round)
         check(static_cast<std::int32_t>(random()) >> random() % 32,
               static_cast<std::int32_t>(random()) >> random() % 32);
     constexpr std::int32_t max = std::numeric_limits<std::int32_t>::max();

@@ -2,6 +2,7 @@
 
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/spot.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +115,7 @@ TEST_CASE("a line is one piece, a curve as many as are asked for, the last point
 TEST_CASE("points lie beside the curve by a twelfth of their second difference, within 1/64 px")
 {
     std::mt19937 random{61};
-    for (int round = 0; round < 30'000; ++round) {
+    for (int round = 0; round < rounds(30'000); ++round) {
         const std::int32_t reach = Fixed::pixels(1300).raw() >> random() % 22;
         const Segment cubic = random_cubic(random, reach);
         const int needed = pieces_for(cubic);

@@ -1,6 +1,7 @@
 #include "core/math/affine.hpp"
 
 #include "tests/core/array_drawing.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -32,7 +33,7 @@ Point point(std::mt19937_64& random, int bits)
 TEST_CASE("a map made ready gives the same bits, for shifts, small factors and large ones")
 {
     std::mt19937_64 random{31};
-    for (int round = 0; round < 20'000; ++round) {
+    for (int round = 0; round < rounds(20'000); ++round) {
         const int bits = round % 2 == 0 ? 19 : 28;
         Affine map;
         if (round % 3 != 0)

@@ -2,6 +2,7 @@
 
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raw_placement.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +117,7 @@ TEST_CASE(
     double worst = 0;
     double worst_near = 0;
     int seen_points = 0;
-    for (int round = 0; round < 6000; ++round) {
+    for (int round = 0; round < rounds(6000); ++round) {
         const Nest nest = random_nest(random);
         const int distance = std::uniform_int_distribution<int>{512, 2000}(random);
         const Projection projection{nest.space(), camera_at(distance)};
@@ -132,7 +133,7 @@ TEST_CASE(
             max = std::max(max, apart(projection(pixels(at.x, at.y)), exact));
         }
     }
-    CHECK(seen_points > 10'000);
+    CHECK(seen_points > rounds(10'000));
     CHECK(worst < 1.0 / 16);
     CHECK(worst_near < 1.0 / 8);
 }
@@ -141,7 +142,7 @@ TEST_CASE("what a space says is seen within 1/64 px, less than 512 px from the m
 {
     std::mt19937 random{105};
     double worst = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < rounds(3000); ++round) {
         const Space space = random_nest(random).space();
         const int distance = std::uniform_int_distribution<int>{16, 32767}(random);
         const Projection projection{space, camera_at(distance)};
@@ -167,7 +168,7 @@ TEST_CASE("growth is the square root of what a small area grows by")
 {
     std::mt19937 random{103};
     double worst = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < rounds(3000); ++round) {
         const Nest nest = random_nest(random);
         const int distance = std::uniform_int_distribution<int>{512, 2000}(random);
         const Projection projection{nest.space(), camera_at(distance)};

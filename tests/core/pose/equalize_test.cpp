@@ -4,6 +4,7 @@
 #include "core/raster/outline/stroke_outline.hpp"
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raster/coverage_picture.hpp"
+#include "tests/rounds.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -136,10 +137,10 @@ double worst_difference(const CoveragePicture& one, const CoveragePicture& other
     return worst;
 }
 
-void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
+void check_filled_alike(std::uint32_t seed, int count, Curves curves)
 {
     std::mt19937 random{seed};
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < count; ++round) {
         const ArrayDrawing a = random_drawing(random, curves);
         CoveragePicture original = new_picture();
         FillOutline plain{original.store()};
@@ -165,10 +166,10 @@ void check_filled_alike(std::uint32_t seed, int rounds, Curves curves)
 /// off, along the diagonal of a pixel at most.
 constexpr double levels_of_arcs = 2 * raster::full_coverage / 24.0 / larger * 3 / 4;
 
-void check_stroked_alike(std::uint32_t seed, int rounds, Curves curves)
+void check_stroked_alike(std::uint32_t seed, int count, Curves curves)
 {
     std::mt19937 random{seed};
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < count; ++round) {
         const ArrayDrawing a = random_drawing(random, curves);
         const Pen pen{.half_width =
                           enlarged(Fixed::from_raw(static_cast<std::int32_t>(16384 + random() % 250000))),
@@ -361,14 +362,14 @@ TEST_CASE("a drawing beside itself is read once, and every segment is paired wit
 
 TEST_CASE("an equalized drawing, filled, is the original picture to within four levels")
 {
-    check_filled_alike(13, 300, Curves::none);
-    check_filled_alike(14, 20, Curves::some);
+    check_filled_alike(13, rounds(300), Curves::none);
+    check_filled_alike(14, rounds(20), Curves::some);
 }
 
 TEST_CASE("an equalized drawing, stroked with round caps and joins, is the original picture but for its arcs")
 {
-    check_stroked_alike(15, 300, Curves::none);
-    check_stroked_alike(16, 20, Curves::some);
+    check_stroked_alike(15, rounds(300), Curves::none);
+    check_stroked_alike(16, rounds(20), Curves::some);
 }
 
 }

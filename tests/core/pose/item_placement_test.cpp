@@ -3,6 +3,7 @@
 #include "tests/core/raw_placement.hpp"
 #include "tests/core/spot.hpp"
 #include "tests/core/triangle_state.hpp"
+#include "tests/rounds.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -73,7 +74,7 @@ TEST_CASE("any placement is within 1/1000 px, at 30 px from the pivot")
         return std::uniform_int_distribution<std::int32_t>{min, max}(random);
     };
     double furthest = 0;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rounds(5000); ++round) {
         const std::int32_t x = within(-16 * 500, 16 * 500);
         const std::int32_t y = within(-16 * 500, 16 * 500);
         const std::int32_t rotation = within(-1'048'576, 1'048'576);
@@ -170,7 +171,7 @@ TEST_CASE("any placement in space is within 1/64 px of the exact one, on a canva
 {
     std::mt19937 random{52};
     double worst = 0;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rounds(5000); ++round) {
         const RawPlacement raw = random_placement(random);
         const Space space = raw.placement();
         const Spot at{static_cast<double>(random() % 513), static_cast<double>(random() % 513)};

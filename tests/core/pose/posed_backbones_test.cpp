@@ -3,6 +3,7 @@
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raw_drawing.hpp"
 #include "tests/core/spot.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -241,7 +242,7 @@ TEST_CASE("any place on any backbone is within 1/64 px of the exact one, at ever
 {
     std::mt19937 random{92};
     double worst = 0;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rounds(5000); ++round) {
         const std::vector<int> segments = random_segments(random);
         const scene::Drawing from = random_backbones(segments, random);
         const auto bits = 4 + static_cast<std::uint32_t>(random() % 7);
@@ -260,7 +261,7 @@ TEST_CASE("a way within one backbone leads through relative coordinates")
 {
     std::mt19937 random{93};
     double worst = 0;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rounds(5000); ++round) {
         const scene::Drawing from = random_backbones(random_segments(random), random);
         const Pair pair{from, random_drawing_like(from, random), random_progress(random), unit_bits};
         const std::size_t backbone = random() % pair.exact.count();
@@ -281,7 +282,7 @@ TEST_CASE("a way from one backbone to another leads straight from place to place
 {
     std::mt19937 random{94};
     double worst = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < rounds(3000); ++round) {
         const scene::Drawing from = random_backbones({2, 3}, random);
         const Pair pair{from, random_drawing_like(from, random), random_progress(random), unit_bits};
         const Point a = stored(pair.exact.relative(0, uniform(random, -0.9, 2.9), uniform(random, -2, 2)));

@@ -6,6 +6,7 @@
 #include "tests/core/puppet.hpp"
 #include "tests/core/raw_bones.hpp"
 #include "tests/core/spot.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ double worst_error(const RawSkeleton& skeleton, const std::vector<PosedBone>& li
 double worst_error(std::mt19937& random, Turns turns)
 {
     double worst = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (int round = 0; round < rounds(3000); ++round) {
         const RawSkeleton skeleton = random_skeleton(random, turns);
         Puppet puppet{{skeleton}};
         for (int moment = 0; moment < 4; ++moment) {
@@ -69,7 +70,7 @@ Point deformed(std::int32_t from, std::int32_t to, bool as_written, Time time, P
 TEST_CASE("bones in their set-up leave every point exactly where it is")
 {
     std::mt19937 random{71};
-    for (int round = 0; round < 500; ++round) {
+    for (int round = 0; round < rounds(500); ++round) {
         RawSkeleton skeleton = random_skeleton(random);
         for (RawBone& bone : skeleton.bones)
             for (std::size_t quantity = 0; quantity < 4; ++quantity) {
@@ -102,7 +103,7 @@ TEST_CASE("any tree of bones that turn up to twice is within 1/16 px of the exac
 TEST_CASE("several skeletons lie one after the other, and what was shown before does not matter")
 {
     std::mt19937 random{73};
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < rounds(100); ++round) {
         const std::vector<RawSkeleton> skeletons{random_skeleton(random), random_skeleton(random),
                                                  random_skeleton(random)};
         Puppet together{skeletons};

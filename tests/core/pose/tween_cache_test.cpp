@@ -2,6 +2,7 @@
 
 #include "core/pose/posed_bones.hpp"
 #include "tests/core/raw_drawing.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -131,7 +132,7 @@ TEST_CASE("drawings that are kept come to the same strokes as those that are mad
     std::mt19937 random{30};
     int parts = 0;
     int closed = 0;
-    for (int round = 0; round < 3'000; ++round) {
+    for (int round = 0; round < rounds(3'000); ++round) {
         const int factor = 1 << random() % 5;
         scene::Drawing a = spread(random_drawing(random), factor);
         scene::Drawing b = spread(round % 3 == 0 ? random_drawing_like(a, random) : random_drawing(random),
@@ -156,8 +157,8 @@ TEST_CASE("drawings that are kept come to the same strokes as those that are mad
             closed += stroke.is_closed ? 1 : 0;
         }
     }
-    CHECK(parts > 300);
-    CHECK(closed > 300);
+    CHECK(parts > rounds(300));
+    CHECK(closed > rounds(300));
 }
 
 TEST_CASE("a drawing beside itself takes half the room, and so do short distances")

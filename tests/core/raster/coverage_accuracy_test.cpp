@@ -1,5 +1,6 @@
 #include "core/raster/renderer.hpp"
 #include "tests/core/raster/true_area.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -59,7 +60,7 @@ TEST_CASE("straight edges are covered by their areas")
         return static_cast<std::int32_t>(random() % static_cast<unsigned>(size * 64));
     };
     int largest = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < test::rounds(300); ++round) {
         // Corners that are further than a row from each other: no row has more than one of them.
         std::vector<Corner> triangle{
             {within(40), within(8)}, {within(40), within(8) + 12 * 64}, {within(40), within(8) + 24 * 64}};

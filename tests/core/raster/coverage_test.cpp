@@ -336,7 +336,7 @@ TEST_CASE("a flat edge stays straight over a wide panel")
 TEST_CASE("the order and the first corners of outlines change nothing")
 {
     std::mt19937 random{2};
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < rounds(200); ++round) {
         std::vector<Polygon> polygons(3);
         for (Polygon& polygon : polygons)
             polygon = random_polygon(random, -3, 15);
@@ -351,7 +351,7 @@ TEST_CASE("the order and the first corners of outlines change nothing")
 TEST_CASE("the sense of an outline changes nothing but how its areas are rounded")
 {
     std::mt19937 random{6};
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < rounds(200); ++round) {
         const Polygon triangle = random_triangle(random, -3, 15);
         const CoveragePicture one = filled({12, 12}, {triangle}, rule_of(round));
         const CoveragePicture other = filled({12, 12}, {reversed(triangle)}, rule_of(round));

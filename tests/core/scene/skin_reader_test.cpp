@@ -1,6 +1,7 @@
 #include "core/scene/skeleton_view.hpp"
 
 #include "tests/core/raw_skin.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 #include <random>
@@ -60,7 +61,7 @@ TEST_CASE("a skin may name the drawing at rest, also the first one")
 TEST_CASE("any runs are read back, and weights add up to 256")
 {
     std::mt19937 random{81};
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < rounds(2000); ++round) {
         const unsigned longest = round % 2 == 0 ? 5 : 500;
         std::vector<RawRun> runs(random() % 6);
         for (RawRun& run : runs)

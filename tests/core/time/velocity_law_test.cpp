@@ -1,6 +1,7 @@
 #include "core/time/velocity_law.hpp"
 
 #include "tests/core/time/exact_law.hpp"
+#include "tests/rounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,7 @@ TEST_CASE("no law runs backwards that has no control point outside of 0 … 1")
     for (const VelocityLaw& law : rising_beziers)
         CHECK(falls(law) == 0);
     std::mt19937 random{92};
-    for (int round = 0; round < 60; ++round)
+    for (int round = 0; round < rounds(60); ++round)
         CHECK(falls(random_bezier(random, 0, VelocityLaw::control_one)) == 0);
     for (const std::uint16_t n : step_counts)
         CHECK(falls(VelocityLaw::in_steps(n)) == 0);

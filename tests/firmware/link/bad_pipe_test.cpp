@@ -1,6 +1,7 @@
 #include "tests/firmware/link/bad_pipe.hpp"
 #include "tests/firmware/link/link_bench.hpp"
 #include "tests/firmware/link/model_host.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -84,10 +85,10 @@ void try_once(std::uint32_t seed, const Badness& badness, Counts& counts)
     CHECK(found(bench, anew) == fresh);
 }
 
-Counts try_often(const Badness& badness, std::uint32_t seeds)
+Counts try_often(const Badness& badness, int uploads)
 {
     Counts counts;
-    for (std::uint32_t seed = 0; seed < seeds; ++seed)
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(rounds(uploads)); ++seed)
         try_once(seed, badness, counts);
     return counts;
 }
@@ -125,10 +126,10 @@ TEST_CASE("uploads over a link that loses, repeats and reorders reports succeed"
 TEST_CASE("uploads over a link that damages reports bring the right scene or none")
 {
     const Counts damaged = try_often({.damaged = 5}, 700);
-    CHECK(damaged.right > 500);
+    CHECK(damaged.right > rounds(500));
     const Counts all = try_often(
         {.lost = 10, .repeated = 10, .overtaken = 10, .truncated = 5, .damaged = 2, .garbage = 20}, 700);
-    CHECK(all.right > 350);
+    CHECK(all.right > rounds(350));
     try_often(
         {.lost = 300, .repeated = 300, .overtaken = 300, .truncated = 100, .damaged = 100, .garbage = 300},
         300);

@@ -1,7 +1,9 @@
 #include "tests/firmware/link/playback_bench.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 
 /// Everything at random: whatever comes, every frame is one of a whole scene (TestPlaybackBoard), the device
@@ -97,7 +99,8 @@ private:
 
 TEST_CASE("whatever a computer does, whole scenes are shown")
 {
-    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    const auto seeds = static_cast<std::uint32_t>(std::max(rounds(40), 5)); // sanitizers see some as well
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
         CAPTURE(seed);
         RandomComputer computer{seed};
         PlaybackBench bench{{}, (needed(padded_scene(4000, 1)) + 1000 + computer.below(8000)) / 4 * 4};

@@ -1,4 +1,5 @@
 #include "tests/firmware/slots/slot_bench.hpp"
+#include "tests/rounds.hpp"
 
 #include <doctest/doctest.h>
 
@@ -119,7 +120,7 @@ TEST_CASE("whenever power is cut, the slots are as they were or as they were to 
         for (const Change& change : changes()) {
             CHECK(cut_everywhere(flash, change, Remains::nothing_done, 0) >= 3);
             CHECK(cut_everywhere(flash, change, Remains::half, 0) >= 3);
-            for (std::uint32_t seed = 0; seed < 3; ++seed) {
+            for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(rounds(3)); ++seed) {
                 CHECK(cut_everywhere(flash, change, Remains::random_bits, seed) >= 3);
                 CHECK(cut_everywhere(flash, change, Remains::some_bits, seed) >= 3);
             }

@@ -2,6 +2,7 @@
 
 #include "tests/core/array_drawing.hpp"
 #include "tests/core/raster/coverage_picture.hpp"
+#include "tests/rounds.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -172,7 +173,7 @@ TEST_CASE("random round strokes are where the pen has been")
     std::mt19937 random{41};
     std::uniform_real_distribution<double> coordinate{2, 22};
     double worst = 0;
-    for (int round = 0; round < 25; ++round) {
+    for (int round = 0; round < rounds(25); ++round) {
         std::vector<Point> points(2 + random() % 5);
         for (Point& point : points)
             point = pixels(coordinate(random), coordinate(random));
