@@ -14,8 +14,6 @@
 namespace kfast::link {
 namespace {
 
-constexpr std::size_t whole_words(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
-
 /// As much of a text as fits into a name, in whole letters of UTF-8.
 Name beginning_of(std::string_view text)
 {
@@ -43,6 +41,8 @@ std::size_t beam_player_bytes(const SceneView& scene, const BoardFacts& facts)
 
 PlaybackSession::PlaybackSession(const BoardFacts& facts)
     : facts_{facts},
+      memory_{facts.block},
+      interlock_{facts.set_armed},
       now_{built_in_item()},
       brightness_{facts.settings.panel.brightness},
       turned_brightness_{facts.settings.panel.brightness}
@@ -57,8 +57,8 @@ PlaybackSession::PlaybackItem PlaybackSession::built_in_item() const
 DeviceFacts PlaybackSession::facts() const
 {
     return {.panel = facts_.panel_size,
-            .block_bytes = static_cast<std::uint32_t>(facts_.block.size()),
-            .ram_bytes = static_cast<std::uint32_t>(facts_.block.size() / 2),
+            .block_bytes = static_cast<std::uint32_t>(memory_.size()),
+            .ram_bytes = static_cast<std::uint32_t>(memory_.size() / 2),
             .serial = facts_.serial,
             .names = {.firmware = {version}, .board = facts_.board, .panel = facts_.panel},
             .start_clip = facts_.settings.clip};
@@ -67,7 +67,7 @@ DeviceFacts PlaybackSession::facts() const
 Playing PlaybackSession::playing() const
 {
     if (!now_.scene)
-        return {.brightness = brightness_, .arming = arming()};
+        return {.brightness = brightness_, .arming = interlock_.state()};
     return {.is_playing = true,
             .is_paused = controls_->is_paused(),
             .home = now_.selection.home,
@@ -80,7 +80,7 @@ Playing PlaybackSession::playing() const
             .moment = moment_,
             .speed = controls_->speed(),
             .clip = controls_->clip(),
-            .arming = arming()};
+            .arming = interlock_.state()};
 }
 
 InputState PlaybackSession::input(std::uint8_t number) const
@@ -112,31 +112,18 @@ std::span<const std::byte> PlaybackSession::played() const
     return gave_way_ ? gave_way_->selection.scene : std::span<const std::byte>{};
 }
 
-std::size_t PlaybackSession::block_bytes(const SceneView& scene) const
-{
-    return facts_.player_bytes(scene, facts_);
-}
-
-/// The offset of the bytes in the block; its end if they are elsewhere.
-std::size_t PlaybackSession::offset_in_block(std::span<const std::byte> bytes) const
-{
-    const auto address = [](const std::byte* at) { return reinterpret_cast<std::uintptr_t>(at); };
-    const std::size_t offset = address(bytes.data()) - address(facts_.block.data());
-    return bytes.empty() ? facts_.block.size() : std::min<std::size_t>(offset, facts_.block.size());
-}
-
 Status PlaybackSession::play(const SceneSelection& selection, const SceneView& scene)
 {
     if (!has_display())
         return Status::unsupported;
-    const std::size_t bytes = block_bytes(scene);
-    if (bytes > offset_in_block(selection.scene)) {
+    const std::size_t bytes = player_bytes(scene);
+    if (bytes > memory_.offset_of(selection.scene)) {
         if (now_.holds)
             end_lease();
         return Status::block_too_small;
     }
-    if (bytes > offset_in_block(leased_))
-        leased_ = {};
+    if (bytes > memory_.offset_of(memory_.leased()))
+        memory_.end_lease();
     gave_way_.reset();
     change({.selection = selection, .scene = scene});
     return Status::ok;
@@ -144,42 +131,25 @@ Status PlaybackSession::play(const SceneSelection& selection, const SceneView& s
 
 void PlaybackSession::play_nothing()
 {
-    leased_ = {};
+    memory_.end_lease();
     gave_way_.reset();
     change(built_in_item());
 }
 
 std::span<std::byte> PlaybackSession::lease_ram(std::uint32_t size)
 {
-    leased_ = {};
-    if (is_changing())
-        return {};
-    lease(size);
-    if (leased_.empty()) {
+    memory_.end_lease();
+    if (!is_changing() && lease(size).empty()) {
         give_way();
         if (!is_changing())
             lease(size);
     }
-    return leased_;
+    return memory_.leased();
 }
 
-void PlaybackSession::lease(std::uint32_t size)
+std::span<std::byte> PlaybackSession::lease(std::uint32_t size)
 {
-    if (const auto place = place_in_block(whole_words(size)))
-        leased_ = facts_.block.subspan(*place, size);
-}
-
-/// The offset of `bytes` bytes after what the player uses, and not on the scene that plays.
-std::optional<std::size_t> PlaybackSession::place_in_block(std::size_t bytes) const
-{
-    const std::size_t used = now_.scene ? whole_words(block_bytes(*now_.scene)) : 0;
-    const std::size_t end = facts_.block.size() / 4 * 4;
-    const std::size_t scene_begin = std::min(end, offset_in_block(now_.selection.scene));
-    const std::size_t scene_end = std::min(end, scene_begin + whole_words(now_.selection.scene.size()));
-    for (const auto& [from, to] : {std::pair{std::max(used, scene_end), end}, std::pair{used, scene_begin}})
-        if (from + bytes <= to)
-            return to - bytes;
-    return std::nullopt;
+    return memory_.lease(size, now_.scene ? player_bytes(*now_.scene) : 0, now_.selection.scene);
 }
 
 /// What plays from RAM cannot play again: its place will be used for something else.
@@ -192,7 +162,7 @@ void PlaybackSession::give_way()
 
 void PlaybackSession::end_lease()
 {
-    leased_ = {};
+    memory_.end_lease();
     if (next_ && next_->holds) {
         next_.reset();
         gave_way_.reset();
@@ -228,11 +198,6 @@ bool PlaybackSession::begin()
     return is_drawn_;
 }
 
-std::span<std::byte> PlaybackSession::block() const
-{
-    return facts_.block.first(std::min(offset_in_block(now_.selection.scene), offset_in_block(leased_)));
-}
-
 void PlaybackSession::scene_started(const SceneView& scene)
 {
     skipped_of_scene_ = 0;
@@ -263,7 +228,7 @@ void PlaybackSession::steered(const Playhead& playhead)
 void PlaybackSession::obey_arming()
 {
     if (controls_->take_arming())
-        set_armed(!is_armed_);
+        interlock_.toggle();
 }
 
 void PlaybackSession::frame_shown(const FrameReport& report)
@@ -315,49 +280,6 @@ Status PlaybackSession::set_brightness(std::uint8_t brightness)
         return Status::unsupported;
     brightness_ = brightness;
     return Status::ok;
-}
-
-Arming PlaybackSession::arming() const
-{
-    if (facts_.set_armed == nullptr)
-        return Arming::none;
-    return is_armed_ ? Arming::armed : Arming::disarmed;
-}
-
-void PlaybackSession::set_armed(bool is_armed)
-{
-    is_armed_by_computer_ = false;
-    if (facts_.set_armed == nullptr || is_armed == is_armed_)
-        return;
-    is_armed_ = is_armed;
-    facts_.set_armed(is_armed);
-}
-
-/// What somebody at the board has armed remains theirs: they only need to be there.
-Status PlaybackSession::arm()
-{
-    if (facts_.set_armed == nullptr)
-        return Status::no_laser;
-    if (is_armed_)
-        return Status::ok;
-    set_armed(true);
-    is_armed_by_computer_ = true;
-    return Status::ok;
-}
-
-Status PlaybackSession::disarm()
-{
-    if (facts_.set_armed == nullptr)
-        return Status::no_laser;
-    set_armed(false);
-    return Status::ok;
-}
-
-/// A computer that is gone cannot disarm any more what it has armed.
-void PlaybackSession::lose_computer()
-{
-    if (is_armed_by_computer_)
-        set_armed(false);
 }
 
 void PlaybackSession::set_input(std::uint32_t number, Time place) { controls_->place_input(number, place); }

@@ -7,7 +7,9 @@
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/input_message.hpp"
+#include "firmware/link/laser_interlock.hpp"
 #include "firmware/link/message.hpp"
+#include "firmware/link/scene_memory.hpp"
 #include "firmware/run/board.hpp"
 #include "firmware/run/controls.hpp"
 #include "firmware/run/placed_input.hpp"
@@ -41,7 +43,7 @@ struct BoardFacts {
     std::span<const std::byte> built_in{}; ///< where a scene may be, perhaps with more bytes after it
     bool is_dimmable = false;              ///< the display has a brightness
     bool has_boot_loader = false;
-    /// Lets a dangerous beam shine, or not. Null: there is none. It begins dark.
+    /// Lets a dangerous beam shine, or not. Null: there is none (LaserInterlock).
     void (*set_armed)(bool is_armed) = nullptr;
 };
 
@@ -49,7 +51,7 @@ struct BoardFacts {
 /// it: what a device is that is the same on every board. The board calls it between frames, and run_scenes()
 /// lets what plays change there and nowhere else.
 ///
-/// A scene in RAM is at the end of the player's block, in what the scene that plays does not need. If that
+/// A scene in RAM is in what the scene that plays does not need of the player's block (SceneMemory). If that
 /// needs too much, it gives way: the picture stays until the new scene plays. At most half of the block is
 /// lent.
 class PlaybackSession {
@@ -70,16 +72,16 @@ public:
     Status play(const SceneSelection& selection, const SceneView& scene);
     void play_nothing();
     std::span<std::byte> lease_ram(std::uint32_t size);
-    std::span<std::byte> leased_ram() const { return leased_; }
+    std::span<std::byte> leased_ram() const { return memory_.leased(); }
     void end_lease();
-    bool is_idle() const { return now_.holds && leased_.empty() && !is_changing() && !gave_way_; }
+    bool is_idle() const { return now_.holds && memory_.leased().empty() && !is_changing() && !gave_way_; }
     void pause();
     void resume();
     void seek(Time time);
     void set_speed(std::int32_t speed);
-    Status arm();
-    Status disarm();
-    void lose_computer();
+    Status arm() { return interlock_.arm(); }
+    Status disarm() { return interlock_.disarm(); }
+    void lose_computer() { interlock_.lose_computer(); }
     Status set_brightness(std::uint8_t brightness);
     void set_input(std::uint32_t number, Time place);
     Status set_text(std::uint32_t number, std::string_view text);
@@ -96,7 +98,7 @@ public:
 
     // What the run loop requires of a board (firmware/run/board.hpp), after begin().
     std::span<const std::byte> scene_bytes() const { return now_.selection.scene; }
-    std::span<std::byte> block() const;
+    std::span<std::byte> block() const { return memory_.before(now_.selection.scene); }
     void scene_started(const SceneView& scene);
     /// Null when it is over.
     void plays(SceneState* player) { player_ = player; }
@@ -135,10 +137,8 @@ private:
     };
 
     bool has_display() const { return facts_.panel_size.width > 0 && facts_.panel_size.height > 0; }
-    std::size_t block_bytes(const SceneView& scene) const;
-    std::size_t offset_in_block(std::span<const std::byte> bytes) const;
-    std::optional<std::size_t> place_in_block(std::size_t bytes) const;
-    void lease(std::uint32_t size);
+    std::size_t player_bytes(const SceneView& scene) const { return facts_.player_bytes(scene, facts_); }
+    std::span<std::byte> lease(std::uint32_t size);
     void give_way();
     PlaybackItem built_in_item() const;
     void change(const PlaybackItem& item);
@@ -146,17 +146,16 @@ private:
     void set_up_controls();
     void steered(const Playhead& playhead);
     void obey_arming();
-    Arming arming() const;
-    void set_armed(bool is_armed);
     Time place_of(std::uint32_t number, const InputView& input) const;
 
     BoardFacts facts_;
+    SceneMemory memory_;
+    LaserInterlock interlock_;
     PlaybackItem now_;
     bool is_new_ = true;                   ///< what plays now has not begun
     bool is_drawn_ = false;                ///< frames of it are under way
     std::optional<PlaybackItem> next_;     ///< if what plays now is drawn
     std::optional<PlaybackItem> gave_way_; ///< plays again if no scene comes for which it gave way
-    std::span<std::byte> leased_{};        ///< of the block
     std::optional<Controls> controls_;     ///< of what plays now, or played last
     SceneState* player_ = nullptr;         ///< of what plays now, as long as it draws
     Time moment_{};
@@ -168,8 +167,6 @@ private:
     std::uint32_t skipped_ = 0;
     std::uint32_t skipped_of_scene_ = 0;
     std::optional<Microseconds> leaves_;
-    bool is_armed_ = false;
-    bool is_armed_by_computer_ = false;
 };
 
 static_assert(Device<PlaybackSession>);
