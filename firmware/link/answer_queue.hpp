@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bytes/expects.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <array>
 #include <cstddef>

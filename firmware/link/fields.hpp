@@ -6,7 +6,7 @@
 #include "core/time/time.hpp"
 #include "firmware/chip/span_writer.hpp"
 #include "firmware/chip/stored_text.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "core/scene/kfb_limits.hpp"
 #include "core/time/time.hpp"
 #include "firmware/link/message_kind.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,9 @@
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/link.hpp"
 #include "firmware/link/playback_session.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 #include "firmware/slots/slot_store.hpp"
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,16 +13,14 @@
 
 namespace kfast::link {
 
-using ReportBytes = std::array<std::byte, report_bytes>;
-
 // Compound requirements would be torn apart.
 // clang-format off
 
 /// What carries reports, one computer at a time.
 template <class P>
-concept Pipe = requires(P& pipe, const ReportBytes& report) {
+concept Pipe = requires(P& pipe, const Report& report) {
     /// The oldest report that has come and was not taken.
-    { pipe.take() } -> std::same_as<std::optional<ReportBytes>>;
+    { pipe.take() } -> std::same_as<std::optional<Report>>;
     /// Returns false if there is no room for it now, or nobody to take it.
     { pipe.send(report) } -> std::same_as<bool>;
     /// Whether a computer is there, and awake.
@@ -34,8 +31,8 @@ concept Pipe = requires(P& pipe, const ReportBytes& report) {
 
 // clang-format on
 
-/// Passes the reports of a pipe to a stage and the answers back: all that a board does for the link, besides
-/// drawing what the stage plays.
+/// Passes the reports of a pipe to what plays, and the answers back: all that a board does for the link,
+/// besides drawing.
 template <Pipe P, Flash F>
 class LinkService {
 public:
@@ -59,7 +56,7 @@ public:
             const auto report = pipe_.take();
             if (!report)
                 break;
-            link_.take(*report, now());
+            link_.take(report->bytes, now());
             link_.hear(now());
             send_answers();
         }
@@ -90,7 +87,7 @@ private:
         while (true) {
             if (!unsent_)
                 unsent_ = link_.next_report();
-            if (!unsent_ || !pipe_.send(unsent_->bytes))
+            if (!unsent_ || !pipe_.send(*unsent_))
                 return;
             unsent_.reset();
         }

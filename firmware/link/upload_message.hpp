@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/link/message_kind.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <array>
 #include <cstddef>

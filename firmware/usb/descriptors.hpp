@@ -1,7 +1,7 @@
 #pragma once
 
+#include "firmware/report.hpp"
 #include "firmware/usb/endpoint.hpp"
-#include "firmware/usb/report.hpp"
 #include "firmware/usb/usb_id.hpp"
 
 #include <array>

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "firmware/report.hpp"
 #include "firmware/usb/control_pipe.hpp"
 #include "firmware/usb/controller.hpp"
 #include "firmware/usb/descriptors.hpp"
-#include "firmware/usb/report.hpp"
 #include "firmware/usb/report_pipes.hpp"
 #include "firmware/usb/setup_packet.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -229,8 +230,9 @@ private:
         constexpr std::uint8_t input_report = 1;
         if (!is_our_report(packet) || packet.value_high() != input_report)
             return false;
-        answer_ = to_computer_.latest();
-        return answer(packet, answer_);
+        static_assert(report_bytes <= string_descriptor_bytes);
+        std::ranges::copy(to_computer_.latest().bytes, answer_.begin());
+        return answer(packet, std::span{answer_}.first(report_bytes));
     }
 
     bool begin_set_report(const SetupPacket& packet)

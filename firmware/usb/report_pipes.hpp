@@ -1,11 +1,12 @@
 #pragma once
 
-#include "firmware/usb/report.hpp"
+#include "firmware/report.hpp"
 #include "firmware/usb/report_pipe.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace kfast::usb {
 
@@ -49,8 +50,8 @@ public:
         if (ring_.free() <= (is_at_controller_ ? 1u : 0u))
             return false;
         Report& report = ring_.next();
-        const std::size_t size = controller.read(from, report);
-        std::fill(report.begin() + static_cast<std::ptrdiff_t>(size), report.end(), std::byte{0});
+        const std::size_t size = controller.read(from, report.bytes);
+        std::ranges::fill(std::span{report.bytes}.subspan(size), std::byte{0});
         ring_.push();
         return true;
     }
@@ -118,7 +119,7 @@ private:
         if (this->is_halted_ || is_at_controller_ || ring_.is_empty())
             return;
         is_at_controller_ = true;
-        controller.give(Endpoint::reports_in, ring_.first());
+        controller.give(Endpoint::reports_in, ring_.first().bytes);
     }
 
     alignas(4) Report latest_{};

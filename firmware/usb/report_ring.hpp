@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/usb/report.hpp"
+#include "firmware/report.hpp"
 
 #include <array>
 #include <cstddef>

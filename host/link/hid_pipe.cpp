@@ -35,9 +35,9 @@ public:
     explicit HidPipe(hid_device* device) : device_{device} {}
     ~HidPipe() override { ::hid_close(device_); }
 
-    void send(const link::Report& report) override
+    void send(const Report& report) override
     {
-        std::array<unsigned char, 1 + link::report_bytes> bytes{}; // 0 first: there are no report ids
+        std::array<unsigned char, 1 + report_bytes> bytes{}; // 0 first: there are no report ids
         std::ranges::transform(report.bytes, bytes.begin() + 1,
                                [](std::byte byte) { return std::to_integer<unsigned char>(byte); });
         do {
@@ -48,9 +48,9 @@ public:
         throw errno == ETIMEDOUT ? takes_nothing() : unplugged();
     }
 
-    std::optional<link::Report> receive(Milliseconds patience) override
+    std::optional<Report> receive(Milliseconds patience) override
     {
-        std::array<unsigned char, link::report_bytes> bytes{};
+        std::array<unsigned char, report_bytes> bytes{};
         errno = 0;
         const int count =
             ::hid_read_timeout(device_, bytes.data(), bytes.size(), static_cast<int>(patience.count()));
@@ -58,7 +58,7 @@ public:
             throw unplugged();
         if (count != static_cast<int>(bytes.size()))
             return std::nullopt;
-        link::Report report;
+        Report report;
         std::ranges::transform(bytes, report.bytes.begin(),
                                [](unsigned char byte) { return static_cast<std::byte>(byte); });
         return report;

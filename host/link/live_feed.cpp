@@ -79,7 +79,7 @@ public:
         for (const auto& [input, text] : values.texts)
             session_.post(report_of(input, text));
         for (const auto& [input, drawing] : values.drawings)
-            for (const link::Report& report : drawing_reports(drawing, input, numbers_.at(input)++))
+            for (const Report& report : drawing_reports(drawing, input, numbers_.at(input)++))
                 session_.send(report);
     }
     /// Shows the device that somebody is there.

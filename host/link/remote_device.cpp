@@ -49,7 +49,7 @@ public:
     explicit SocketPipe(int socket) : socket_{socket} {}
     ~SocketPipe() override { ::close(socket_); }
 
-    void send(const link::Report& report) override
+    void send(const Report& report) override
     {
         const Milliseconds begin = now();
         while (::send(socket_, report.bytes.data(), report.bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) < 0) {
@@ -61,17 +61,17 @@ public:
         }
     }
 
-    std::optional<link::Report> receive(Milliseconds patience) override
+    std::optional<Report> receive(Milliseconds patience) override
     {
         if (!wait_for(POLLIN, patience))
             return std::nullopt;
-        std::array<std::byte, link::report_bytes + 1> bytes{}; // one more detects what is too long
+        std::array<std::byte, report_bytes + 1> bytes{}; // one more detects what is too long
         const ssize_t count = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (count == 0 || (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR))
             throw unplugged();
-        if (count != static_cast<ssize_t>(link::report_bytes))
+        if (count != static_cast<ssize_t>(report_bytes))
             return std::nullopt;
-        link::Report report;
+        Report report;
         std::copy_n(bytes.begin(), report.bytes.size(), report.bytes.begin());
         return report;
     }

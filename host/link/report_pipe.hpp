@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 #include "host/program/failure.hpp"
 
 #include <chrono>
@@ -20,10 +20,10 @@ public:
 
     /// Waits while the device is busy. Throws Failure with unplugged, or with timed_out if the device takes
     /// nothing for several seconds.
-    virtual void send(const link::Report& report) = 0;
+    virtual void send(const Report& report) = 0;
     /// The next report of the device, for which it waits for `patience`; 0 is possible. What has not the
     /// length of a report is skipped. Throws Failure with unplugged.
-    virtual std::optional<link::Report> receive(Milliseconds patience) = 0;
+    virtual std::optional<Report> receive(Milliseconds patience) = 0;
     /// The time since a fixed time. It never goes back.
     virtual Milliseconds now() const = 0;
 };

@@ -136,7 +136,7 @@ private:
         furthest_ = std::max(furthest_, ++next_);
     }
 
-    void take(const link::Report& report)
+    void take(const Report& report)
     {
         if (const auto acknowledgement = link::message_of<link::Acknowledgement>(report))
             hear(*acknowledgement);

@@ -113,25 +113,25 @@ std::uint8_t Session::new_tag()
     return tag_;
 }
 
-void Session::send(const link::Report& report)
+void Session::send(const Report& report)
 {
     heed_interruption();
     pipe_.send(report);
 }
 
-std::optional<link::Report> Session::hear(std::uint8_t tag, Milliseconds patience)
+std::optional<Report> Session::hear(std::uint8_t tag, Milliseconds patience)
 {
     return hear_until(tag, pipe_.now() + patience);
 }
 
 // Reads at least once, so that what has come is read without patience as well.
-std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
+std::optional<Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
 {
     for (;;) {
         heed_interruption();
         const Milliseconds left = std::max(end - pipe_.now(), Milliseconds{0});
         const auto report = pipe_.receive(std::min(left, unheeded_at_most));
-        if (report && report->tag() == tag && (report->kind() & link::from_device) != 0)
+        if (report && report->tag() == tag && (report->kind() & from_device) != 0)
             return report;
         if (report)
             remember_failure(*report);
@@ -141,7 +141,7 @@ std::optional<link::Report> Session::hear_until(std::uint8_t tag, Milliseconds e
 }
 
 /// Remembers the failure of what was sent without a tag.
-void Session::remember_failure(const link::Report& report)
+void Session::remember_failure(const Report& report)
 {
     const auto failure = link::message_of<link::Failure>(report);
     if (failure && report.tag() == 0 && !pending_failure_)
@@ -161,8 +161,7 @@ Milliseconds Session::longer(Milliseconds patience)
     return std::max(patience, std::min(2 * patience, longest_patience));
 }
 
-std::optional<link::Report> Session::await(const link::Report& request, Milliseconds patience,
-                                           IsAnswer is_answer)
+std::optional<Report> Session::await(const Report& request, Milliseconds patience, IsAnswer is_answer)
 {
     const Milliseconds end = pipe_.now() + patience;
     while (const auto report = hear_until(request.tag(), end)) {
@@ -176,7 +175,7 @@ std::optional<link::Report> Session::await(const link::Report& request, Millisec
     return std::nullopt;
 }
 
-link::Report Session::exchange(const link::Report& request, Milliseconds patience, IsAnswer is_answer)
+Report Session::exchange(const Report& request, Milliseconds patience, IsAnswer is_answer)
 {
     const Milliseconds begin = pipe_.now();
     for (;; patience = longer(patience)) {
@@ -188,22 +187,21 @@ link::Report Session::exchange(const link::Report& request, Milliseconds patienc
     }
 }
 
-void Session::take_leave(const link::Report& report)
+void Session::take_leave(const Report& report)
 {
     try {
         pipe_.send(report);
         const Milliseconds end = pipe_.now() + patience_when_leaving;
         while (pipe_.now() < end) {
             const auto answer = pipe_.receive(end - pipe_.now());
-            if (answer && answer->tag() == report.tag() &&
-                answer->kind() == (report.kind() | link::from_device))
+            if (answer && answer->tag() == report.tag() && answer->kind() == (report.kind() | from_device))
                 return;
         }
     } catch (const Failure&) { // nobody is there any more
     }
 }
 
-std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind)
+std::optional<link::Failure> refusal_in(const Report& answer, std::uint8_t kind)
 {
     const auto failure = link::message_of<link::Failure>(answer);
     const bool has_reason = failure && failure->request == kind && failure->status != Status::bad_report;

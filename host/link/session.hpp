@@ -56,9 +56,7 @@ public:
     template <class A, class M>
     A ask_with(const M& message, std::uint8_t tag, Milliseconds patience)
     {
-        const auto is_answer = [](const link::Report& report) {
-            return link::message_of<A>(report).has_value();
-        };
+        const auto is_answer = [](const Report& report) { return link::message_of<A>(report).has_value(); };
         return *link::message_of<A>(exchange(link::report_of(message, tag), patience, is_answer));
     }
     /// A request whose answer says only that it was carried out.
@@ -78,9 +76,9 @@ public:
 
     /// Different from the recent ones. Never 0.
     std::uint8_t new_tag();
-    void send(const link::Report& report);
+    void send(const Report& report);
     /// The next report with that tag, for which it waits for `patience`.
-    std::optional<link::Report> hear(std::uint8_t tag, Milliseconds patience);
+    std::optional<Report> hear(std::uint8_t tag, Milliseconds patience);
     Milliseconds now() const { return pipe_.now(); }
     Milliseconds last_patience() const { return options_.last_patience; }
     /// The next time of silence, after one that was not enough.
@@ -88,16 +86,16 @@ public:
 
     /// Sends a last report to a device, and waits for it a little, also after an
     /// interruption. Throws nothing.
-    void take_leave(const link::Report& report);
+    void take_leave(const Report& report);
 
 private:
-    using IsAnswer = bool (*)(const link::Report& report);
+    using IsAnswer = bool (*)(const Report& report);
 
     /// The first report that is an answer to the request. Throws Refusal.
-    link::Report exchange(const link::Report& request, Milliseconds patience, IsAnswer is_answer);
-    std::optional<link::Report> await(const link::Report& request, Milliseconds patience, IsAnswer is_answer);
-    std::optional<link::Report> hear_until(std::uint8_t tag, Milliseconds end);
-    void remember_failure(const link::Report& report);
+    Report exchange(const Report& request, Milliseconds patience, IsAnswer is_answer);
+    std::optional<Report> await(const Report& request, Milliseconds patience, IsAnswer is_answer);
+    std::optional<Report> hear_until(std::uint8_t tag, Milliseconds end);
+    void remember_failure(const Report& report);
 
     ReportPipe& pipe_;
     Options options_;
@@ -107,7 +105,7 @@ private:
 
 /// Why the device refuses a request by a report of that kind, if this says so. That a report
 /// came damaged is no reason: it is sent again.
-std::optional<link::Failure> refusal_in(const link::Report& answer, std::uint8_t kind);
+std::optional<link::Failure> refusal_in(const Report& answer, std::uint8_t kind);
 
 /// Throws Failure with timed_out.
 [[noreturn]] void give_up(Milliseconds waited);

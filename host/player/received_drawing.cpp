@@ -81,12 +81,12 @@ std::vector<InputPoint> wire_points(const ReceivedDrawing& drawing)
 
 }
 
-std::vector<link::Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input,
-                                          std::uint8_t number, std::uint8_t tag)
+std::vector<Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input, std::uint8_t number,
+                                    std::uint8_t tag)
 {
     const std::vector<InputPoint> points = wire_points(drawing);
     const link::DrawingNumber which{input, static_cast<std::uint8_t>(number % link::DrawingNumber::count)};
-    std::vector<link::Report> reports;
+    std::vector<Report> reports;
     std::span<const InputPoint> left = points;
     for (; left.size() > link::Drawing::max; left = left.subspan(link::Points::max)) {
         link::Points part{.which = which.code(), .part = static_cast<std::uint8_t>(reports.size())};

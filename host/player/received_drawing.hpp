@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/pose/input_drawing.hpp"
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <cstdint>
 #include <string>
@@ -39,7 +39,7 @@ std::variant<ReceivedDrawing, std::string> read_drawing(std::string_view text);
 /// The reports that send a live drawing to a device, in their order (docs/link.md, "Live drawings"). `number`
 /// distinguishes it from the ones before, modulo 8: one more for each drawing of this input. With the tag 0
 /// nothing answers them but errors.
-std::vector<link::Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input,
-                                          std::uint8_t number, std::uint8_t tag = 0);
+std::vector<Report> drawing_reports(const ReceivedDrawing& drawing, std::uint8_t input, std::uint8_t number,
+                                    std::uint8_t tag = 0);
 
 }

@@ -17,7 +17,7 @@ namespace kfast {
 namespace {
 
 /// Anything longer is no report in any case.
-constexpr std::size_t max_bytes = 2 * link::report_bytes;
+constexpr std::size_t max_bytes = 2 * report_bytes;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& why)
 {
@@ -88,10 +88,10 @@ int listening_socket(const std::filesystem::path& path)
 /// Whether what recv() returned means a broken connection.
 bool is_broken(ssize_t size) { return size < 0 && errno != EAGAIN && errno != EINTR; }
 
-link::ReportBytes first_of(std::span<const std::byte> bytes)
+Report first_of(std::span<const std::byte> bytes)
 {
-    link::ReportBytes report;
-    std::ranges::copy(bytes.first(report.size()), report.begin());
+    Report report;
+    std::ranges::copy(bytes.first(report_bytes), report.bytes.begin());
     return report;
 }
 
@@ -119,13 +119,13 @@ void ReportSocket::wait(std::chrono::microseconds time)
     ::ppoll(sources.data(), sources.size(), &patience, nullptr);
 }
 
-std::optional<link::ReportBytes> ReportSocket::take()
+std::optional<Report> ReportSocket::take()
 {
     accept_all();
     for (auto program = programs_.begin(); program != programs_.end();) {
         std::array<std::byte, max_bytes> came;
         const ssize_t size = ::recv(*program, came.data(), came.size(), MSG_DONTWAIT);
-        if (size == link::report_bytes) {
+        if (size == report_bytes) {
             std::rotate(program, program + 1, programs_.end()); // it is the turn of the others
             return first_of(came);
         }
@@ -139,10 +139,10 @@ std::optional<link::ReportBytes> ReportSocket::take()
     return std::nullopt;
 }
 
-bool ReportSocket::send(const link::ReportBytes& report)
+bool ReportSocket::send(const Report& report)
 {
     for (const int program : programs_)
-        ::send(program, report.data(), report.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        ::send(program, report.bytes.data(), report.bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     return true;
 }
 

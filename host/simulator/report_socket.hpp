@@ -25,9 +25,9 @@ public:
 
     // What LinkService requires (link::Pipe).
     /// The next report. What does not have the length of a report is dropped.
-    std::optional<link::ReportBytes> take();
+    std::optional<Report> take();
     /// A program that does not fetch reports misses them.
-    bool send(const link::ReportBytes& report);
+    bool send(const Report& report);
     /// It is always plugged in.
     bool is_connected() const { return true; }
     std::uint32_t connections() const { return 0; }

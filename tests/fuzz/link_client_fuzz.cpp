@@ -25,13 +25,13 @@ class AnyDevice final : public ReportPipe {
 public:
     explicit AnyDevice(std::span<const std::byte> says) : says_{says} {}
 
-    void send(const link::Report& report) override
+    void send(const Report& report) override
     {
         pass(Milliseconds{1});
         if (report.tag() != 0)
             asked_ = report;
     }
-    std::optional<link::Report> receive(Milliseconds patience) override
+    std::optional<Report> receive(Milliseconds patience) override
     {
         const auto how = static_cast<std::uint32_t>(take());
         if (how < 0x40) {
@@ -63,22 +63,21 @@ private:
 
     /// Bit 0: with the tag of what was asked for last; bit 1: of the kind that answers it; bit 2: short, the
     /// rest is 0.
-    link::Report report(std::uint32_t how)
+    Report report(std::uint32_t how)
     {
-        link::Report report;
-        const std::size_t count =
-            std::min(says_.size(), (how & 4) != 0 ? std::size_t{8} : link::report_bytes);
+        Report report;
+        const std::size_t count = std::min(says_.size(), (how & 4) != 0 ? std::size_t{8} : report_bytes);
         std::ranges::copy(says_.first(count), report.bytes.begin());
         says_ = says_.subspan(count);
         if ((how & 1) != 0)
             report.bytes[1] = static_cast<std::byte>(asked_.tag());
         if ((how & 2) != 0)
-            report.bytes[0] = static_cast<std::byte>(asked_.kind() | link::from_device);
+            report.bytes[0] = static_cast<std::byte>(asked_.kind() | from_device);
         return report;
     }
 
     std::span<const std::byte> says_;
-    link::Report asked_;
+    Report asked_;
     Milliseconds now_{0};
 };
 

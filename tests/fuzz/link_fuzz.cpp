@@ -23,7 +23,7 @@ public:
         const bool has_report = link_.has_report();
         const auto report = link_.next_report();
         demand(report.has_value() == has_report);
-        demand(!report || (report->kind() & link::from_device) != 0);
+        demand(!report || (report->kind() & from_device) != 0);
     }
     void pass(std::uint32_t milliseconds)
     {
@@ -74,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto what = std::to_integer<std::uint32_t>(bytes[0]);
         bytes = bytes.subspan(1);
         if (what < 0xC0) {
-            const std::size_t count = std::min(bytes.size(), link::report_bytes);
+            const std::size_t count = std::min(bytes.size(), report_bytes);
             device.take(bytes.first(count));
             bytes = bytes.subspan(count);
         } else if (what < 0xE0) {

@@ -38,9 +38,9 @@ void UsbReports::begin() const
 
 std::string_view UsbReports::serial_number() const { return {chip_number.data(), chip_number.size()}; }
 
-std::optional<usb::Report> UsbReports::take() const { return device.take(); }
+std::optional<Report> UsbReports::take() const { return device.take(); }
 
-bool UsbReports::send(const usb::Report& report) const { return device.send(report); }
+bool UsbReports::send(const Report& report) const { return device.send(report); }
 
 bool UsbReports::is_connected() const { return device.is_connected(); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/usb/report.hpp"
+#include "firmware/report.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -18,8 +18,8 @@ public:
     /// Unique to the chip. After begin().
     std::string_view serial_number() const;
 
-    std::optional<usb::Report> take() const;
-    bool send(const usb::Report& report) const;
+    std::optional<Report> take() const;
+    bool send(const Report& report) const;
 
     bool is_connected() const;
     std::uint32_t connections() const;

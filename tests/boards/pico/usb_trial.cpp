@@ -32,11 +32,11 @@ private:
             return true;
         waiting_ = usb_reports.take();
         if (waiting_)
-            (*waiting_)[0] = static_cast<std::byte>(std::to_integer<unsigned>((*waiting_)[0]) + 1);
+            waiting_->bytes[0] = static_cast<std::byte>(waiting_->kind() + 1);
         return waiting_.has_value();
     }
 
-    std::optional<usb::Report> waiting_;
+    std::optional<Report> waiting_;
     std::uint32_t connection_ = 0;
 };
 

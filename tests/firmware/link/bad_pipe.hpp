@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +29,7 @@ public:
 
     BadPipe(const Badness& badness, std::uint32_t seed) : badness_{badness}, random_{seed} {}
 
-    void put(const link::Report& report)
+    void put(const Report& report)
     {
         Bytes bytes(report.bytes.begin(), report.bytes.end());
         if (happens(badness_.garbage))
@@ -37,9 +37,9 @@ public:
         if (happens(badness_.lost))
             return;
         if (happens(badness_.truncated))
-            bytes.resize(below(link::report_bytes));
+            bytes.resize(below(report_bytes));
         else if (happens(badness_.damaged))
-            bytes[below(link::report_bytes)] ^= static_cast<std::byte>(1 + below(255));
+            bytes[below(report_bytes)] ^= static_cast<std::byte>(1 + below(255));
         if (happens(badness_.repeated))
             on_the_way_.push_back(bytes);
         on_the_way_.push_back(std::move(bytes));
@@ -61,7 +61,7 @@ private:
     bool happens(std::uint32_t of_1000) { return below(1000) < of_1000; }
     Bytes garbage()
     {
-        Bytes bytes(link::report_bytes);
+        Bytes bytes(report_bytes);
         for (std::byte& byte : bytes)
             byte = static_cast<std::byte>(below(256));
         bytes[0] &= std::byte{0x3F}; // more of it means something

@@ -13,8 +13,8 @@ struct BoardFlash {
 };
 
 struct BoardPipe {
-    std::optional<link::ReportBytes> take();
-    bool send(const link::ReportBytes& report);
+    std::optional<Report> take();
+    bool send(const Report& report);
     bool is_connected();
     std::uint32_t connections();
 };

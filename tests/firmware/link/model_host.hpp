@@ -31,7 +31,7 @@ public:
     Status refused() const { return refused_; }
 
     /// What it sends in this millisecond.
-    std::optional<link::Report> next_report()
+    std::optional<Report> next_report()
     {
         ++waited_;
         switch (step_) {
@@ -48,7 +48,7 @@ public:
         return std::nullopt;
     }
 
-    void take(const link::Report& report)
+    void take(const Report& report)
     {
         if (report.tag() != tag_)
             return;
@@ -70,14 +70,14 @@ private:
 
     std::uint32_t blocks() const { return link::blocks_of(begin_.size); }
 
-    std::optional<link::Report> asked_again(const link::Report& report)
+    std::optional<Report> asked_again(const Report& report)
     {
         if (waited_ % patience != 1)
             return std::nullopt;
         return report;
     }
 
-    std::optional<link::Report> next_block()
+    std::optional<Report> next_block()
     {
         if (waited_ > patience)
             go_on_from(heard_, window_);

@@ -25,7 +25,7 @@ public:
     template <class M>
     void send(const M& message, std::uint8_t tag)
     {
-        board.pipe.to_device.push_back(link::report_of(message, tag).bytes);
+        board.pipe.to_device.push_back(link::report_of(message, tag));
     }
     /// The answer, which comes within a frame or two.
     template <class A, class M>
@@ -35,7 +35,7 @@ public:
         for (int wait = 0; wait < 200; ++wait) {
             board.run_for(5);
             for (; !board.pipe.to_computer.empty(); board.pipe.to_computer.pop_front()) {
-                const link::Report report{board.pipe.to_computer.front()};
+                const Report report = board.pipe.to_computer.front();
                 const auto answer = link::message_of<A>(report);
                 if (answer && report.tag() == tag) {
                     board.pipe.to_computer.pop_front();

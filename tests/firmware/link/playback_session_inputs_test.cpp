@@ -71,7 +71,7 @@ TEST_CASE("drawings are shown in the frame after their last report, whole and no
             drawing[0].push_back({x, static_cast<std::int16_t>(random() % 150)});
         }
         for (const Report& report : drawing_reports(drawing, 1, number)) {
-            bench.board.pipe.to_device.push_back(report.bytes);
+            bench.board.pipe.to_device.push_back(report);
             // in the midst of frames; each is checked
             bench.board.run_for(static_cast<std::uint32_t>(1 + random() % 7));
         }

@@ -44,7 +44,7 @@ TEST_CASE("a board answers while its panel begins")
     bench.send(AskPlaying{}, 1);
     bench.board.run_for(50);
     REQUIRE(bench.board.pipe.to_computer.size() == 1);
-    CHECK(message_of<Playing>(Report{bench.board.pipe.to_computer.front()})->is_playing);
+    CHECK(message_of<Playing>(bench.board.pipe.to_computer.front())->is_playing);
     CHECK(bench.board.frames.empty());
 }
 

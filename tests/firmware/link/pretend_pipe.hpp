@@ -12,7 +12,7 @@ namespace kfast::test {
 /// A cable, and what is on its way in it.
 class PretendPipe {
 public:
-    std::optional<link::ReportBytes> take()
+    std::optional<Report> take()
     {
         if (to_device.empty())
             return std::nullopt;
@@ -20,7 +20,7 @@ public:
         to_device.pop_front();
         return report;
     }
-    bool send(const link::ReportBytes& report)
+    bool send(const Report& report)
     {
         if (!connected || to_computer.size() >= room)
             return false;
@@ -43,8 +43,8 @@ public:
         ++count;
     }
 
-    std::deque<link::ReportBytes> to_device;
-    std::deque<link::ReportBytes> to_computer;
+    std::deque<Report> to_device;
+    std::deque<Report> to_computer;
     std::size_t room = 4;
     bool connected = false;
     std::uint32_t count = 0;

@@ -181,7 +181,7 @@ inline Bytes packet(int seed, std::size_t size = report_bytes)
 inline Report report(int seed, std::size_t size = report_bytes)
 {
     Report result{};
-    std::ranges::copy(packet(seed, size), result.begin());
+    std::ranges::copy(packet(seed, size), result.bytes.begin());
     return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 #include "host/link/report_pipe.hpp"
 #include "tests/firmware/link/bad_pipe.hpp"
 #include "tests/firmware/link/link_bench.hpp"
@@ -24,7 +24,7 @@ public:
     {
     }
 
-    void send(const link::Report& report) override
+    void send(const Report& report) override
     {
         require_plugged();
         sent.push_back(report);
@@ -34,7 +34,7 @@ public:
             there_.put(*left);
         pass();
     }
-    std::optional<link::Report> receive(Milliseconds patience) override
+    std::optional<Report> receive(Milliseconds patience) override
     {
         for (const Milliseconds end = now_ + patience;; pass()) {
             require_plugged();
@@ -51,10 +51,10 @@ public:
     std::size_t unplugged_after = never; ///< so many reports, of those that come as well as of those that go
     Milliseconds::rep answers_every = 1; ///< milliseconds
     bool is_silent = false;              ///< the device answers nothing
-    std::function<void(const link::Report&)> on_sent;
+    std::function<void(const Report&)> on_sent;
     /// What becomes of a report, besides what the badness does.
-    std::function<std::optional<link::Report>(const link::Report&)> on_the_way;
-    std::vector<link::Report> sent;
+    std::function<std::optional<Report>(const Report&)> on_the_way;
+    std::vector<Report> sent;
 
 private:
     void require_plugged() const
@@ -75,13 +75,13 @@ private:
             back_.put(*report);
     }
 
-    std::optional<link::Report> next()
+    std::optional<Report> next()
     {
         while (const auto bytes = back_.next()) {
-            if (bytes->size() != link::report_bytes)
+            if (bytes->size() != report_bytes)
                 continue;
             ++received_;
-            link::Report report;
+            Report report;
             std::ranges::copy(*bytes, report.bytes.begin());
             return report;
         }

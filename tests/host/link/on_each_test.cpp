@@ -17,7 +17,7 @@ std::vector<RemoteDevice> three_devices()
     std::vector<RemoteDevice> devices;
     for (const char* const serial : {"A", "B", "C"}) {
         auto pipe = std::make_unique<ScriptedPipe>();
-        pipe->answer = [serial](const link::Report& request) {
+        pipe->answer = [serial](const Report& request) {
             return std::optional{link::report_of(link::Capabilities{.serial = {serial}}, request.tag())};
         };
         devices.emplace_back(std::move(pipe), Session::Options{}, "it");

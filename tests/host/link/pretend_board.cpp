@@ -116,7 +116,7 @@ public:
 private:
     void serve(int program)
     {
-        std::array<std::byte, 2 * link::report_bytes> bytes{};
+        std::array<std::byte, 2 * report_bytes> bytes{};
         while (true) {
             pollfd source{program, POLLIN, 0};
             constexpr int looks_every = 10; // milliseconds

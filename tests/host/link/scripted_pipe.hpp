@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/link/report.hpp"
+#include "firmware/report.hpp"
 #include "host/link/report_pipe.hpp"
 
 #include <deque>
@@ -12,29 +12,29 @@ namespace kfast::test {
 /// A device that answers what it is told to.
 class ScriptedPipe : public ReportPipe {
 public:
-    void send(const link::Report& report) override
+    void send(const Report& report) override
     {
         ++now_;
         if (answer)
             if (const auto reply = answer(report))
                 answers_.push_back(*reply);
     }
-    std::optional<link::Report> receive(Milliseconds patience) override
+    std::optional<Report> receive(Milliseconds patience) override
     {
         if (answers_.empty()) {
             now_ += patience;
             return std::nullopt;
         }
-        const link::Report report = answers_.front();
+        const Report report = answers_.front();
         answers_.pop_front();
         return report;
     }
     Milliseconds now() const override { return now_; }
 
-    std::function<std::optional<link::Report>(const link::Report&)> answer;
+    std::function<std::optional<Report>(const Report&)> answer;
 
 private:
-    std::deque<link::Report> answers_;
+    std::deque<Report> answers_;
     Milliseconds now_{0};
 };
 

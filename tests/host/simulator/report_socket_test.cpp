@@ -32,7 +32,7 @@ public:
     /// A report that begins with `text`.
     void say(std::string text) const
     {
-        text.resize(link::report_bytes);
+        text.resize(report_bytes);
         send(text);
     }
     void send(const std::string& bytes) const
@@ -44,7 +44,7 @@ public:
     {
         std::array<unsigned char, 200> bytes{};
         const ssize_t size = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
-        return size == link::report_bytes ? bytes[0] : -1;
+        return size == report_bytes ? bytes[0] : -1;
     }
 
 private:
@@ -54,10 +54,10 @@ private:
 std::string taken(ReportSocket& socket)
 {
     const auto report = socket.take();
-    return report ? reinterpret_cast<const char*>(report->data()) : "";
+    return report ? reinterpret_cast<const char*>(report->bytes.data()) : "";
 }
 
-link::ReportBytes report_of(int first) { return {static_cast<std::byte>(first)}; }
+Report report_of(int first) { return {.bytes = {static_cast<std::byte>(first)}}; }
 
 TEST_CASE("reports go both ways, whole and in order")
 {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace kfast::link {
+namespace kfast {
 
 inline constexpr std::size_t report_bytes = 64;
 
