@@ -99,21 +99,10 @@ std::span<const Change> Player::draw_changes(std::span<std::byte> pixels, Size g
     return renderer_.draw_changes<format>(pixels, granularity, area_bytes);
 }
 
-template void Player::draw_rows<PixelFormat::rgb565>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::rgb565_be>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::rgb444>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::rgb666>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::grey4>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::mono1>(int, std::span<std::byte>);
-template void Player::draw_rows<PixelFormat::mono1_dithered>(int, std::span<std::byte>);
-template std::span<const Change> Player::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size, int);
-template std::span<const Change> Player::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>, Size,
-                                                                              int);
-template std::span<const Change> Player::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size, int);
-template std::span<const Change> Player::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size, int);
-template std::span<const Change> Player::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size, int);
-template std::span<const Change> Player::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size, int);
-template std::span<const Change> Player::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>, Size,
-                                                                                   int);
+#define KFAST_INSTANTIATE(name, bits)                                                                        \
+    template void Player::draw_rows<PixelFormat::name>(int, std::span<std::byte>);                           \
+    template std::span<const Change> Player::draw_changes<PixelFormat::name>(std::span<std::byte>, Size, int);
+KFAST_PIXEL_FORMATS(KFAST_INSTANTIATE)
+#undef KFAST_INSTANTIATE
 
 }

@@ -5,40 +5,55 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace kfast {
 
+// clang-format off
+/// The pixel formats, a row each: the name, the bits of a pixel, and how pixels are stored.
+#define KFAST_PIXEL_FORMATS(ROW)                                                                                     \
+    ROW(rgb565, 16)        /* 2 bytes a pixel, little-endian, red in the highest 5 bits */                           \
+    ROW(rgb565_be, 16)     /* as rgb565 with the high byte first, as panels on an 8-bit bus take it */               \
+    ROW(rgb444, 12)        /* 2 pixels in 3 bytes: red, green, blue in 4 bits each, the first in the high nibble */  \
+    ROW(rgb666, 24)        /* 3 bytes a pixel: red, green, blue, each in the high 6 bits; the low 2 are 0 */         \
+    ROW(grey4, 4)          /* 2 pixels a byte, the left one in the high nibble; 15 is white */                       \
+    ROW(mono1, 1)          /* 8 pixels a byte, the leftmost in the highest bit; 1 is lit, from half brightness on */ \
+    ROW(mono1_dithered, 1) /* as mono1, but as many pixels are lit as the brightness says */
+// clang-format on
+
 /// How the pixels of a row are stored in memory. Every row starts on a byte.
 enum class PixelFormat : std::uint8_t {
-    rgb565,         ///< 2 bytes a pixel, little-endian, red in the highest 5 bits
-    rgb565_be,      ///< as rgb565 with the high byte first, as panels on an 8-bit bus take it
-    rgb444,         ///< 2 pixels in 3 bytes: red, green, blue in 4 bits each, the first in the high nibble
-    rgb666,         ///< 3 bytes a pixel: red, green, blue, each in the high 6 bits; the low 2 are 0
-    grey4,          ///< 2 pixels a byte, the left one in the high nibble; 15 is white
-    mono1,          ///< 8 pixels a byte, the leftmost in the highest bit; 1 is lit, from half brightness on
-    mono1_dithered, ///< as mono1, but as many pixels are lit as the brightness says
+#define KFAST_ENUMERATOR(name, bits) name,
+    KFAST_PIXEL_FORMATS(KFAST_ENUMERATOR)
+#undef KFAST_ENUMERATOR
 };
 
 inline constexpr std::array pixel_formats{
-    PixelFormat::rgb565, PixelFormat::rgb565_be, PixelFormat::rgb444,         PixelFormat::rgb666,
-    PixelFormat::grey4,  PixelFormat::mono1,     PixelFormat::mono1_dithered,
+#define KFAST_FORMAT(name, bits) PixelFormat::name,
+    KFAST_PIXEL_FORMATS(KFAST_FORMAT)
+#undef KFAST_FORMAT
 };
+
+constexpr std::string_view name_of(PixelFormat format)
+{
+    switch (format) {
+#define KFAST_NAME(name, bits)                                                                               \
+    case PixelFormat::name:                                                                                  \
+        return #name;
+        KFAST_PIXEL_FORMATS(KFAST_NAME)
+#undef KFAST_NAME
+    }
+    return {};
+}
 
 constexpr int bits_per_pixel(PixelFormat format)
 {
     switch (format) {
-    case PixelFormat::rgb565:
-    case PixelFormat::rgb565_be:
-        return 16;
-    case PixelFormat::rgb444:
-        return 12;
-    case PixelFormat::rgb666:
-        return 24;
-    case PixelFormat::grey4:
-        return 4;
-    case PixelFormat::mono1:
-    case PixelFormat::mono1_dithered:
-        return 1;
+#define KFAST_BITS(name, bits)                                                                               \
+    case PixelFormat::name:                                                                                  \
+        return bits;
+        KFAST_PIXEL_FORMATS(KFAST_BITS)
+#undef KFAST_BITS
     }
     return 0;
 }
@@ -63,20 +78,11 @@ template <class Use>
 constexpr void with_format(PixelFormat format, Use&& use)
 {
     switch (format) {
-    case PixelFormat::rgb565:
-        return use.template operator()<PixelFormat::rgb565>();
-    case PixelFormat::rgb565_be:
-        return use.template operator()<PixelFormat::rgb565_be>();
-    case PixelFormat::rgb444:
-        return use.template operator()<PixelFormat::rgb444>();
-    case PixelFormat::rgb666:
-        return use.template operator()<PixelFormat::rgb666>();
-    case PixelFormat::grey4:
-        return use.template operator()<PixelFormat::grey4>();
-    case PixelFormat::mono1:
-        return use.template operator()<PixelFormat::mono1>();
-    case PixelFormat::mono1_dithered:
-        return use.template operator()<PixelFormat::mono1_dithered>();
+#define KFAST_USE(name, bits)                                                                                \
+    case PixelFormat::name:                                                                                  \
+        return use.template operator()<PixelFormat::name>();
+        KFAST_PIXEL_FORMATS(KFAST_USE)
+#undef KFAST_USE
     }
 }
 

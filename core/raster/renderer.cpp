@@ -380,21 +380,11 @@ void Renderer::draw_rows(int first_row, int rows, std::span<std::byte> pixels)
     next_row_ = first_row;
 }
 
-template void Renderer::draw_rows<PixelFormat::rgb565>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb565>(std::span<std::byte>, Size, int);
-template void Renderer::draw_rows<PixelFormat::rgb565_be>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb565_be>(std::span<std::byte>, Size,
-                                                                                int);
-template void Renderer::draw_rows<PixelFormat::rgb444>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb444>(std::span<std::byte>, Size, int);
-template void Renderer::draw_rows<PixelFormat::rgb666>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::rgb666>(std::span<std::byte>, Size, int);
-template void Renderer::draw_rows<PixelFormat::grey4>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::grey4>(std::span<std::byte>, Size, int);
-template void Renderer::draw_rows<PixelFormat::mono1>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::mono1>(std::span<std::byte>, Size, int);
-template void Renderer::draw_rows<PixelFormat::mono1_dithered>(int, int, std::span<std::byte>);
-template std::span<const Change> Renderer::draw_changes<PixelFormat::mono1_dithered>(std::span<std::byte>,
-                                                                                     Size, int);
+#define KFAST_INSTANTIATE(name, bits)                                                                        \
+    template void Renderer::draw_rows<PixelFormat::name>(int, int, std::span<std::byte>);                    \
+    template std::span<const Change> Renderer::draw_changes<PixelFormat::name>(std::span<std::byte>, Size,   \
+                                                                               int);
+KFAST_PIXEL_FORMATS(KFAST_INSTANTIATE)
+#undef KFAST_INSTANTIATE
 
 }

@@ -9,26 +9,13 @@ namespace kfast {
 
 namespace {
 
-constexpr std::array names{
-    FormatName{"rgb565", PixelFormat::rgb565},
-    FormatName{"rgb565_be", PixelFormat::rgb565_be},
-    FormatName{"rgb444", PixelFormat::rgb444},
-    FormatName{"rgb666", PixelFormat::rgb666},
-    FormatName{"grey4", PixelFormat::grey4},
-    FormatName{"mono1", PixelFormat::mono1},
-    FormatName{"mono1_dithered", PixelFormat::mono1_dithered},
-};
-
-}
-
-std::span<const FormatName> format_names() { return names; }
-
-std::string_view name_of(PixelFormat format)
-{
-    return std::ranges::find(names, format, &FormatName::value)->name;
-}
-
-namespace {
+constexpr auto names = [] {
+    std::array<FormatName, pixel_formats.size()> rows{};
+    std::ranges::transform(pixel_formats, rows.begin(), [](PixelFormat format) {
+        return FormatName{name_of(format), format};
+    });
+    return rows;
+}();
 
 constexpr auto choices = [] {
     std::array<PanelChoice, controller_facts.size()> rows{};
@@ -40,6 +27,7 @@ constexpr auto choices = [] {
 
 }
 
+std::span<const FormatName> format_names() { return names; }
 std::span<const PanelChoice> panel_choices() { return choices; }
 
 }

@@ -15,7 +15,6 @@ struct FormatName {
 };
 
 std::span<const FormatName> format_names();
-std::string_view name_of(PixelFormat format);
 
 /// A display that can be named on the command line: the default module of a controller.
 struct PanelChoice {
