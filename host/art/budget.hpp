@@ -9,10 +9,10 @@ namespace kfast::art {
 class Budget {
 public:
     static constexpr std::size_t max_nodes = 65'535;
-    static constexpr std::size_t max_points = std::size_t{1} << 22; ///< in all keys of drawings
+    static constexpr std::size_t max_points = std::size_t{1} << 21; ///< in all keys of drawings
     static constexpr std::size_t max_keys = std::size_t{1} << 20;   ///< of channels
     /// Points of drawings, each time they are computed to find keys.
-    static constexpr std::size_t max_computed_points = std::size_t{1} << 27;
+    static constexpr std::size_t max_computed_points = std::size_t{1} << 26;
     static constexpr int deepest = 64; ///< nested groups, layers and uses
 
     void take_node();

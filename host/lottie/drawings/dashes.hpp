@@ -16,7 +16,7 @@ struct Stretch {
 };
 
 /// The cost of measuring and cutting a curve, relative to computing its points.
-inline constexpr double measuring_cost = 8;
+inline constexpr double measuring_cost = 32;
 
 /// An outline along which lengths are known, with the line that closes it if it needs one.
 class MeasuredOutline {

@@ -14,7 +14,9 @@ namespace {
 
 constexpr int most_specific = 1'000'000'000;
 constexpr std::size_t max_rules = 10'000;
-constexpr std::size_t max_comparisons = 20'000'000; ///< of rules with elements: some seconds
+// Of matching; what is allowed takes half a second.
+constexpr std::size_t compound_cost = 16;
+constexpr std::size_t max_cost = std::size_t{1} << 29;
 
 std::string without_comments(std::string_view css)
 {
@@ -128,24 +130,39 @@ std::optional<Selector> selector(std::string_view text)
     return result;
 }
 
-bool has_class(pugi::xml_node element, std::string_view name)
+/// Of looking for a word among others, at worst: where each of them begins as it does.
+std::size_t search_cost(std::string_view words, std::string_view word)
 {
-    const std::string_view classes = element.attribute("class").value();
-    for (std::size_t at = classes.find(name); at != classes.npos; at = classes.find(name, at + 1)) {
-        const std::size_t end = at + name.size();
-        if ((at == 0 || std::isspace(static_cast<unsigned char>(classes[at - 1])) != 0) &&
-            (end == classes.size() || std::isspace(static_cast<unsigned char>(classes[end])) != 0))
+    return 8 + words.size() / 64 + words.size() * word.size() / 256;
+}
+
+/// Whether `word` is one of those words that spaces separate.
+bool has_word(std::string_view words, std::string_view word)
+{
+    const auto is_space = [](char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; };
+    for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || is_space(words[at - 1])) && (end == words.size() || is_space(words[end])))
             return true;
     }
     return false;
 }
 
-bool matches(const Compound& compound, pugi::xml_node element)
+bool matches(const Compound& compound, pugi::xml_node element, std::size_t& cost)
 {
-    return (compound.type.empty() || element_name(element) == compound.type) &&
-           std::ranges::all_of(compound.ids,
-                               [&](const auto& id) { return element.attribute("id").value() == id; }) &&
-           std::ranges::all_of(compound.classes, [&](const auto& name) { return has_class(element, name); });
+    cost += compound_cost + compound.ids.size();
+    if (!compound.type.empty() && element_name(element) != compound.type)
+        return false;
+    if (!std::ranges::all_of(compound.ids,
+                             [&](const auto& id) { return element.attribute("id").value() == id; }))
+        return false;
+    if (compound.classes.empty())
+        return true;
+    const std::string_view classes = element.attribute("class").value();
+    return std::ranges::all_of(compound.classes, [&](const std::string& name) {
+        cost += search_cost(classes, name);
+        return has_word(classes, name);
+    });
 }
 
 struct StyleFinder : pugi::xml_tree_walker {
@@ -161,14 +178,14 @@ struct StyleFinder : pugi::xml_tree_walker {
 
 using Around = std::vector<Selector::Outer>::const_iterator;
 
-bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries)
+bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries, std::size_t& cost)
 {
     if (outer == end)
         return true;
     for (auto parent = element.parent(); parent.type() == pugi::node_element; parent = parent.parent()) {
         if (--tries < 0)
             return false;
-        if (matches(outer->compound, parent) && matches_around(outer + 1, end, parent, tries))
+        if (matches(outer->compound, parent, cost) && matches_around(outer + 1, end, parent, tries, cost))
             return true;
         if (outer->is_parent)
             return false;
@@ -178,10 +195,11 @@ bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries
 
 }
 
-bool Selector::matches(pugi::xml_node element) const
+bool Selector::matches(pugi::xml_node element, std::size_t& cost) const
 {
     int tries = 1000; // many nested descendants would try all combinations
-    return svg::matches(compound, element) && matches_around(around.begin(), around.end(), element, tries);
+    return svg::matches(compound, element, cost) &&
+           matches_around(around.begin(), around.end(), element, tries, cost);
 }
 
 std::vector<Declaration> declarations(std::string_view text)
@@ -275,14 +293,14 @@ void StyleSheet::add_at_rule(std::string_view prelude, std::string_view body, in
 
 std::vector<const Rule*> StyleSheet::matching(pugi::xml_node element)
 {
-    comparisons_ += rules_.size();
-    if (comparisons_ > max_comparisons)
-        throw Failure(
-            "too many rules in style sheets for so many elements: take out those that are not needed");
     std::vector<const Rule*> result;
-    for (const Rule& rule : rules_)
-        if (rule.selector.matches(element))
+    for (const Rule& rule : rules_) {
+        if (rule.selector.matches(element, cost_))
             result.push_back(&rule);
+        if (cost_ > max_cost)
+            throw Failure(
+                "too many rules in style sheets for so many elements: take out those that are not needed");
+    }
     return result;
 }
 

@@ -38,7 +38,8 @@ struct Selector {
     std::vector<Outer> around;
     int specificity = 0;
 
-    bool matches(pugi::xml_node element) const;
+    /// Adds to `cost` what that took: the more the longer the attributes "class" are.
+    bool matches(pugi::xml_node element, std::size_t& cost) const;
 };
 
 struct Rule {
@@ -52,7 +53,8 @@ public:
     /// Adds those of all elements "style" below `root`. What is not understood is added to `losses`.
     void add_elements(pugi::xml_node root, art::Losses& losses);
 
-    /// The rules that match, the winner last.
+    /// The rules that match, the winner last. Throws Failure if matching costs too much, all elements
+    /// together.
     std::vector<const Rule*> matching(pugi::xml_node element);
 
 private:
@@ -62,7 +64,7 @@ private:
     void add_at_rule(std::string_view prelude, std::string_view body, int depth, art::Losses& losses);
 
     std::vector<Rule> rules_;
-    std::size_t comparisons_ = 0;
+    std::size_t cost_ = 0;
 };
 
 }

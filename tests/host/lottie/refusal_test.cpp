@@ -83,3 +83,17 @@ TEST_CASE("more keys than there may be are refused")
                     "]}], ");
     CHECK(failure_of(text).find("more than 1048576 keys") != std::string::npos);
 }
+
+TEST_CASE("repeaters of repeaters over what is trimmed at every moment are refused")
+{
+    const std::string repeater =
+        R"(, {"ty": "rp", "c": {"k": 100}, "o": {"k": 0}, "tr": {"p": {"k": [1, 0]}}})";
+    CHECK(failure_of(animation_text(
+                         R"({"ty": 4, "ip": 0, "op": 60, "shapes": [{"ty": "el", "p": {"k": [50, 40]}, )"
+                         R"("s": {"a": 1, "k": [{"t": 0, "s": [10, 10]}, {"t": 60, "s": [30, 10]}]}}, )"
+                         R"({"ty": "tm", "s": {"a": 1, "k": [{"t": 0, "s": [0]}, {"t": 59, "s": [90]}]}, )"
+                         R"("e": {"k": 100}, "o": {"k": 0}}, )"
+                         R"({"ty": "st", "c": {"k": [1, 0, 0]}, "o": {"k": 100}, "w": {"k": 2}})" +
+                         repeater + repeater + "]}"))
+              .find("points to compute") != std::string::npos);
+}

@@ -86,6 +86,39 @@ TEST_CASE("a style sheet that would take for ever is refused")
     CHECK(failure_of(drawing(css)).find("too many rules") != std::string::npos);
 }
 
+TEST_CASE("selectors of many classes for elements of many classes are refused")
+{
+    std::string css = "<style>z";
+    for (int compound = 0; compound < 6; ++compound) {
+        css += ' ';
+        for (int i = 0; i < 1500; ++i)
+            css += ".a";
+    }
+    css += " rect{fill:red}</style>";
+    std::string classes;
+    for (int i = 0; i < 1500; ++i)
+        classes += "b ";
+    std::string text = css;
+    for (int depth = 0; depth < 40; ++depth)
+        text += "<g class='" + classes + "a'>";
+    for (int i = 0; i < 1000; ++i)
+        text += "<rect width='9' height='9'/>";
+    for (int depth = 0; depth < 40; ++depth)
+        text += "</g>";
+    CHECK(failure_of(drawing(text)).find("too many rules") != std::string::npos);
+}
+
+TEST_CASE("a file of many rules and many elements is read")
+{
+    std::string text = "<style>";
+    for (int i = 0; i < 2000; ++i)
+        text += ".class-of-number-" + std::to_string(i) + "{fill:red}";
+    text += "</style>";
+    for (int i = 0; i < 5000; ++i)
+        text += "<g class='class-of-number-7 another-class and-one-more-of-them'/>";
+    CHECK(failure_of(drawing(text)).empty());
+}
+
 TEST_CASE("long styles are not copied without bounds")
 {
     std::string text = "<path id='p' d='" + std::string(1'000'000, ' ') + "'/>";
