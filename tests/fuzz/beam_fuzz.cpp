@@ -1,5 +1,5 @@
 #include "host/beam/beam_text.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <string>

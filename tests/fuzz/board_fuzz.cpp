@@ -1,6 +1,6 @@
 #include "core/player.hpp"
 #include "host/fit/board_reader.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <string>

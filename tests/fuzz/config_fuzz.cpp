@@ -2,7 +2,7 @@
 #include "firmware/settings/board_record.hpp"
 #include "firmware/settings/board_rules.hpp"
 #include "host/config/config_text.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include "host/beam/ilda_reader.hpp"
 #include "host/beam/ilda_writer.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <stdexcept>

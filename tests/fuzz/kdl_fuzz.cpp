@@ -1,6 +1,6 @@
 #include "host/kdl/canonical.hpp"
 #include "host/kdl/parser.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <string>

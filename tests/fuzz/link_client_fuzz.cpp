@@ -7,7 +7,7 @@
 #include "host/link/report_pipe.hpp"
 #include "host/link/scene_upload.hpp"
 #include "host/program/failure.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "firmware/link/link.hpp"
+#include "tests/demand.hpp"
 #include "tests/firmware/link/pretend_device.hpp"
 #include "tests/firmware/slots/pretend_flash.hpp"
 #include "tests/firmware/slots/small_places.hpp"
-#include "tests/fuzz/demand.hpp"
 
 #include <algorithm>
 

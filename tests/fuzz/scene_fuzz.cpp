@@ -1,7 +1,7 @@
 #include "core/scene/kfb_limits.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include "host/commands/live/live_line.hpp"
 #include "host/player/received_drawing.hpp"
 #include "host/program/failure.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "host/flash/uf2.hpp"
 #include "host/flash/uf2_contents.hpp"
-#include "tests/fuzz/demand.hpp"
+#include "tests/demand.hpp"
 
 #include <cstdint>
 #include <stdexcept>

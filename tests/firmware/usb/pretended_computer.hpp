@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/usb/hid_device.hpp"
+#include "tests/firmware/usb/pretended_controller.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,85 +9,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace kfast::usb::test {
-
-using Bytes = std::vector<std::byte>;
-
-/// A unit for USB in which packets lie until the test moves them. It fails where a device breaks the rules of
-/// UsbController.
-class PretendedController {
-public:
-    struct EventsOff {
-        EventsOff() {}
-    };
-
-    struct State {
-        bool is_open = false;
-        bool is_stalled = false;
-        bool is_accepting = false;
-        std::optional<Bytes> given{};
-        Bytes arrived{};
-        int times_opened = 0;
-    };
-
-    void open(Endpoint endpoint)
-    {
-        REQUIRE(number_of(endpoint) != 0);
-        const int times = of(endpoint).times_opened;
-        of(endpoint) = {.is_open = true, .times_opened = times + 1};
-    }
-    void close(Endpoint endpoint)
-    {
-        REQUIRE(number_of(endpoint) != 0);
-        of(endpoint) = {};
-    }
-    void give(Endpoint endpoint, std::span<const std::byte> packet)
-    {
-        require_free(endpoint);
-        REQUIRE(is_in(endpoint));
-        REQUIRE(packet.size() <= packet_bytes);
-        of(endpoint).given = Bytes{packet.begin(), packet.end()};
-    }
-    void accept(Endpoint endpoint)
-    {
-        require_free(endpoint);
-        REQUIRE_FALSE(is_in(endpoint));
-        of(endpoint).is_accepting = true;
-    }
-    std::size_t read(Endpoint endpoint, std::span<std::byte, packet_bytes> place)
-    {
-        const Bytes& packet = of(endpoint).arrived;
-        std::ranges::copy(packet, place.begin());
-        return packet.size();
-    }
-    void stall(Endpoint endpoint)
-    {
-        of(endpoint).is_stalled = true;
-        of(endpoint).is_accepting = false;
-        of(endpoint).given.reset();
-    }
-    void set_address(std::uint8_t value) { address = value; }
-
-    State& of(Endpoint endpoint) { return states[endpoint]; }
-
-    std::map<Endpoint, State> states{{Endpoint::control_in, {.is_open = true}},
-                                     {Endpoint::control_out, {.is_open = true}}};
-    int address = 0;
-
-private:
-    void require_free(Endpoint endpoint)
-    {
-        REQUIRE(of(endpoint).is_open);
-        REQUIRE_FALSE(of(endpoint).is_stalled);
-        REQUIRE_FALSE(of(endpoint).given);
-        REQUIRE_FALSE(of(endpoint).is_accepting);
-    }
-};
 
 /// A computer with a device in its plug. What a device refuses is nothing.
 class PretendedComputer {

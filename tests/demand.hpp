@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-/// Ends the program, which is a finding of the fuzzer, unless the condition holds.
+/// Ends the program, which is a finding of a fuzzer and a failure of a test, unless the condition holds.
 inline void demand(bool condition)
 {
     if (!condition)
