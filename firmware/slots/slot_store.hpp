@@ -58,6 +58,12 @@ public:
     {
         return flash_.contents().subspan(places_.pool + entry(slot).offset, entry(slot).size);
     }
+    /// Whether the bytes of a slot are those that were put into it.
+    bool is_whole(std::uint8_t slot) const
+    {
+        const SlotEntry& held = entry(slot);
+        return crc_of_flash(held.offset, held.size) == held.crc;
+    }
     /// What plays when the device starts; none: the built-in scene.
     std::optional<std::uint8_t> chosen() const
     {
@@ -159,8 +165,7 @@ private:
     bool holds_already(const SlotUpload& upload) const
     {
         const SlotEntry& held = entry(upload.slot);
-        return held.size == upload.size && held.crc == upload.crc &&
-               crc_of_flash(held.offset, held.size) == held.crc;
+        return held.size == upload.size && held.crc == upload.crc && is_whole(upload.slot);
     }
 
     Status check() const
