@@ -1,0 +1,142 @@
+#pragma once
+
+#include "firmware/slots/flash.hpp"
+#include "firmware/slots/flash_places.hpp"
+#include "firmware/slots/slot_directory_store.hpp"
+#include "firmware/slots/slot_pool.hpp"
+#include "firmware/slots/write_sector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kfast {
+
+/// Writes a stream of bytes into the pool, sector by sector. A sector that begins with the wanted bytes is
+/// left as it is. One that does not hold them is entered into the directory as bad, and the whole stream
+/// moves to where there is none.
+template <Flash F>
+class PoolWriter {
+public:
+    /// Both must outlive it.
+    PoolWriter(F& flash, const FlashPlaces& places, SlotDirectoryStore<F>& directory)
+        : flash_{flash}, places_{places}, directory_{directory}
+    {
+    }
+
+    /// From now on bytes are compared with those at `begin` in the pool, the beginning of a sector, and
+    /// nothing is changed.
+    void compare_with(std::uint32_t begin) { start(begin, true); }
+
+    /// From now on `size` bytes (not 0) go where there is room in `free`, for which there must be some at
+    /// `begin`; until the next stream begins nothing else of the pool is written to.
+    void write_to(std::uint32_t begin, std::uint32_t size, const SlotPool& free)
+    {
+        start(begin, false);
+        size_ = size;
+        free_ = free;
+    }
+
+    /// The next bytes: no more, altogether, than the stream has.
+    void add(std::span<const std::byte> bytes)
+    {
+        while (!bytes.empty()) {
+            const std::size_t part = std::min<std::size_t>(bytes.size(), sector_bytes - filled_);
+            std::ranges::copy(bytes.first(part), sector_.begin() + filled_);
+            filled_ += static_cast<std::uint32_t>(part);
+            bytes = bytes.subspan(part);
+            if (filled_ == sector_bytes)
+                flush();
+        }
+    }
+
+    /// Writes the rest of the stream into flash.
+    void flush()
+    {
+        const std::uint32_t place = places_.pool + begin_ + written_;
+        if (!std::ranges::equal(filled(), flash_.contents().subspan(place, filled_))) {
+            is_same_ = false;
+            if (!compares_ && holds_)
+                holds_ = write_sector(flash_, place, filled()) || move();
+        }
+        written_ += filled_;
+        filled_ = 0;
+    }
+
+    bool compares() const { return compares_; }
+    /// Whether all that was flushed was in flash before.
+    bool is_same() const { return is_same_; }
+    /// Whether flash has held all that was written to it, there or elsewhere.
+    bool holds() const { return holds_; }
+    /// Where the stream begins in the pool.
+    std::uint32_t begin() const { return begin_; }
+
+private:
+    void start(std::uint32_t begin, bool compares)
+    {
+        begin_ = begin;
+        compares_ = compares;
+        written_ = filled_ = 0;
+        is_same_ = holds_ = true;
+    }
+    std::span<const std::byte> filled() const { return std::span{sector_}.first(filled_); }
+
+    /// The sector that was written last is bad: brings the stream to where all its sectors hold, and returns
+    /// whether there is such a place.
+    bool move()
+    {
+        const Extent old{begin_, begin_ + written_};
+        for (std::optional<std::uint32_t> bad = old.end; bad; bad = copy_from(old.begin)) {
+            if (!remember(*bad))
+                return false;
+            SlotPool free = free_;
+            free.occupy(old);
+            const auto room = free.room_for(size_, *bad + sector_bytes);
+            if (!room)
+                return false;
+            begin_ = *room;
+        }
+        return true;
+    }
+
+    /// No stream comes to the sector at `bad` in the pool any more, nor after a restart. Returns whether that
+    /// is certain.
+    bool remember(std::uint32_t bad)
+    {
+        free_.occupy({bad, bad + sector_bytes});
+        SlotDirectory changed = directory_.directory();
+        changed.bad_sectors.add(bad / sector_bytes);
+        return directory_.put(changed) == Status::ok;
+    }
+
+    /// Writes what was written from `old` on, and what is in RAM behind it, to where the stream begins now.
+    /// Returns which sector does not hold, if there is one.
+    std::optional<std::uint32_t> copy_from(std::uint32_t old)
+    {
+        for (std::uint32_t at = 0; at <= written_; at += sector_bytes) {
+            const auto bytes =
+                at < written_ ? flash_.contents().subspan(places_.pool + old + at, sector_bytes) : filled();
+            if (!write_sector(flash_, places_.pool + begin_ + at, bytes))
+                return begin_ + at;
+        }
+        return std::nullopt;
+    }
+
+    F& flash_;
+    FlashPlaces places_;
+    SlotDirectoryStore<F>& directory_;
+    SlotPool free_; ///< what was free when the stream began, without bad sectors
+    std::array<std::byte, sector_bytes> sector_{}; ///< what comes behind what was written
+    std::uint32_t begin_ = 0;
+    std::uint32_t size_ = 0;
+    std::uint32_t written_ = 0; ///< bytes, whole sectors until the stream has ended
+    std::uint32_t filled_ = 0;
+    bool compares_ = true;
+    bool is_same_ = true;
+    bool holds_ = true;
+};
+
+}
