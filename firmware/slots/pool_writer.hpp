@@ -2,6 +2,7 @@
 
 #include "firmware/slots/flash.hpp"
 #include "firmware/slots/flash_places.hpp"
+#include "firmware/slots/sector_set.hpp"
 #include "firmware/slots/slot_directory_store.hpp"
 #include "firmware/slots/slot_pool.hpp"
 #include "firmware/slots/write_sector.hpp"
@@ -15,9 +16,9 @@
 
 namespace kfast {
 
-/// Writes a stream of bytes into the pool, sector by sector. A sector that begins with the wanted bytes is
-/// left as it is. One that does not hold them is entered into the directory as bad, and the whole stream
-/// moves to where there is none.
+/// Writes a stream of bytes into the pool, sector by sector. A sector that was written since the start and
+/// begins with the wanted bytes is left as it is. One that does not hold them is entered into the directory
+/// as bad, and the whole stream moves to where there is none.
 template <Flash F>
 class PoolWriter {
 public:
@@ -56,12 +57,13 @@ public:
     /// Writes the rest of the stream into flash.
     void flush()
     {
-        const std::uint32_t place = places_.pool + begin_ + written_;
-        if (!std::ranges::equal(filled(), flash_.contents().subspan(place, filled_))) {
-            is_same_ = false;
-            if (!compares_ && holds_)
-                holds_ = write_sector(flash_, place, filled()) || move();
-        }
+        if (filled_ == 0)
+            return;
+        const std::uint32_t at = begin_ + written_;
+        const bool is_there = std::ranges::equal(filled(), contents().subspan(at, filled_));
+        is_same_ = is_same_ && is_there;
+        if (!compares_ && holds_ && !(is_there && is_sure_.has(at / sector_bytes)))
+            holds_ = write(at, filled()) || move();
         written_ += filled_;
         filled_ = 0;
     }
@@ -83,6 +85,14 @@ private:
         is_same_ = holds_ = true;
     }
     std::span<const std::byte> filled() const { return std::span{sector_}.first(filled_); }
+
+    std::span<const std::byte> contents() const { return flash_.contents().subspan(places_.pool); }
+
+    bool write(std::uint32_t at, std::span<const std::byte> bytes)
+    {
+        is_sure_.add(at / sector_bytes);
+        return write_sector(flash_, places_.pool + at, bytes);
+    }
 
     /// The sector that was written last is bad: brings the stream to where all its sectors hold, and returns
     /// whether there is such a place.
@@ -117,9 +127,8 @@ private:
     std::optional<std::uint32_t> copy_from(std::uint32_t old)
     {
         for (std::uint32_t at = 0; at <= written_; at += sector_bytes) {
-            const auto bytes =
-                at < written_ ? flash_.contents().subspan(places_.pool + old + at, sector_bytes) : filled();
-            if (!write_sector(flash_, places_.pool + begin_ + at, bytes))
+            const auto bytes = at < written_ ? contents().subspan(old + at, sector_bytes) : filled();
+            if (!write(begin_ + at, bytes))
                 return begin_ + at;
         }
         return std::nullopt;
@@ -130,6 +139,9 @@ private:
     SlotDirectoryStore<F>& directory_;
     SlotPool free_; ///< what was free when the stream began, without bad sectors
     std::array<std::byte, sector_bytes> sector_{}; ///< what comes behind what was written
+    /// What was written since the start: what is there from before may be the remains of a write during which
+    /// power was cut, and be read differently later.
+    SectorSet is_sure_;
     std::uint32_t begin_ = 0;
     std::uint32_t size_ = 0;
     std::uint32_t written_ = 0; ///< bytes, whole sectors until the stream has ended

@@ -38,9 +38,9 @@ public:
     const SlotDirectory& directory() const { return directory_; }
 
     /// Must be called before anything in the pool is changed: at the first time after a start, writes the
-    /// directory as it is into two sectors. Of what was there nobody knows whether power was cut while it
-    /// was written: it may be read rightly at one start and wrongly at the next, and then an older copy would
-    /// count, whose scenes are gone. Fails with flash_failed.
+    /// directory as it is into all the other sectors. Of the copies that were there nobody knows whether
+    /// power was cut while they were written: they may be read rightly at one start and wrongly at the next,
+    /// and then another one would count, whose scenes are gone. Fails with flash_failed.
     Status settle()
     {
         for (; unsettled_ > 0; --unsettled_)
@@ -101,9 +101,9 @@ private:
     F& flash_;
     FlashPlaces places_;
     SlotDirectory directory_;
-    std::uint32_t newest_ = FlashPlaces::directory_sectors - 1; ///< the sector of the copy that counts
-    std::uint8_t covered_ = 0;                                  ///< a bit for each sector
-    std::uint8_t unsettled_ = 2;                                ///< copies that settle() has to write
+    std::uint32_t newest_ = FlashPlaces::directory_sectors - 1;   ///< the sector of the copy that counts
+    std::uint8_t covered_ = 0;                                    ///< a bit for each sector
+    std::uint8_t unsettled_ = FlashPlaces::directory_sectors - 1; ///< copies that settle() has to write
 };
 
 }

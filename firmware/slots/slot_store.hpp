@@ -33,7 +33,7 @@ struct SlotUpload {
 /// nor after a restart, and what was to be there goes elsewhere.
 ///
 /// Every function that changes flash returns when it has done so: a sector takes about 50 ms, at worst 400,
-/// and the first change after a start two sectors more. When a sector of an upload does not hold, all
+/// and the first change after a start three sectors more. When a sector of an upload does not hold, all
 /// sectors of it are written anew.
 template <Flash F>
 class SlotStore {
