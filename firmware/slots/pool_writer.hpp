@@ -95,16 +95,15 @@ private:
     }
 
     /// The sector that was written last is bad: brings the stream to where all its sectors hold, and returns
-    /// whether there is such a place.
+    /// whether there is such a place. That may overlap what was written; then it begins before it, as what
+    /// was written ends with a bad sector, and each sector is read before another one is written over it.
     bool move()
     {
-        const Extent old{begin_, begin_ + written_};
-        for (std::optional<std::uint32_t> bad = old.end; bad; bad = copy_from(old.begin)) {
+        const std::uint32_t old = begin_;
+        for (std::optional<std::uint32_t> bad = old + written_; bad; bad = copy_from(old)) {
             if (!remember(*bad))
                 return false;
-            SlotPool free = free_;
-            free.occupy(old);
-            const auto room = free.room_for(size_, *bad + sector_bytes);
+            const auto room = free_.room_for(size_, *bad + sector_bytes);
             if (!room)
                 return false;
             begin_ = *room;

@@ -98,6 +98,21 @@ TEST_CASE("a bad sector is remembered, even if the upload that has met it never 
     CHECK(bench.times_erased(pool_sector(1)) == 1);
 }
 
+TEST_CASE("an upload moves also to where it overlaps what of it was written")
+{
+    for (const Fault fault : every_fault) {
+        Bench bench;
+        REQUIRE(put(*bench.store, 0, "stays", padded_scene(8 * sector_bytes, 1)) == Status::ok);
+        REQUIRE(put(*bench.store, 1, "goes", padded_scene(sector_bytes, 2)) == Status::ok);
+        REQUIRE(bench.store->erase(1) == Status::ok);
+        bench.flash.spoil(pool_sector(11), fault);
+        const Scene scene = padded_scene(3 * sector_bytes, 3);
+        REQUIRE(put(*bench.store, 1, "moves", scene) == Status::ok);
+        CHECK(bench.store->entry(1).offset == 8 * sector_bytes);
+        CHECK(std::ranges::equal(bench.store->scene(1), scene));
+    }
+}
+
 TEST_CASE("an upload that moves does not go where something plays, though no slot holds it any more")
 {
     for (const bool is_held : {false, true}) {

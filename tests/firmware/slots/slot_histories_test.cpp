@@ -19,7 +19,6 @@ void run_histories(bool is_fickle)
         cuts += history.cuts();
         bad_sectors += history.bad_sectors();
     }
-    MESSAGE("power cuts: ", cuts, ", bad sectors: ", bad_sectors);
     CHECK(cuts > static_cast<std::uint64_t>(rounds(histories)) / 2);
     CHECK(bad_sectors > static_cast<std::uint64_t>(rounds(histories)));
 }

@@ -15,6 +15,31 @@ struct Bench {
     SlotState restarted() { return state_of(Store{flash, small_places}); }
 };
 
+/// Where the copy of the directory is that counts.
+std::uint32_t newest_copy(const PretendFlash& flash)
+{
+    std::uint32_t newest = 0;
+    std::optional<SlotDirectory> found;
+    for (std::uint32_t number = 0; number < FlashPlaces::directory_sectors; ++number) {
+        const std::uint32_t place = small_places.directory_sector(number);
+        const auto copy = read_slot_directory(flash.contents().subspan(place, sector_bytes),
+                                              small_places.former_pool_bytes());
+        if (!copy || (found && !is_newer(*copy, *found)))
+            continue;
+        newest = place;
+        found = copy;
+    }
+    return newest;
+}
+
+/// After a start, all of an upload but its last byte.
+void begin_upload(PretendFlash& flash, const Scene& scene)
+{
+    Store store{flash, small_places};
+    REQUIRE(store.begin(upload_of(2, "begun", scene), {}).is_ok());
+    write_in_pieces(store, std::span{scene}.first(scene.size() - 1));
+}
+
 }
 
 TEST_CASE("flash that was never written has empty slots, whatever its bytes are")
@@ -241,27 +266,52 @@ TEST_CASE(
 
 TEST_CASE("a copy of the directory that is read rightly at one start and wrongly at the next loses no slot")
 {
-    for (std::uint32_t newest = 0; newest < FlashPlaces::directory_sectors; ++newest) {
+    for (std::uint8_t steps = 0; steps < FlashPlaces::directory_sectors; ++steps) {
         PretendFlash flash{small_flash_bytes};
-        const Scene scene = padded_scene(3 * sector_bytes, 3);
         {
             Store store{flash, small_places};
             REQUIRE(put(store, 0, "old", padded_scene(3 * sector_bytes, 1)) == Status::ok);
             REQUIRE(put(store, 1, "stays", padded_scene(5 * sector_bytes, 2)) == Status::ok);
-            for (std::uint32_t step = 0; step < newest; ++step)
-                REQUIRE(store.choose(static_cast<std::uint8_t>(step % 2)) == Status::ok);
-            REQUIRE(put(store, 0, "new", scene) == Status::ok);
+            for (std::uint8_t step = 0; step < steps; ++step)
+                REQUIRE(store.choose(step % 2) == Status::ok);
+            REQUIRE(put(store, 0, "new", padded_scene(3 * sector_bytes, 3)) == Status::ok);
         }
         const SlotState made = state_of(Store{flash, small_places});
-        { // What is under way now goes where the old scene was.
-            Store store{flash, small_places};
-            const Scene other = padded_scene(3 * sector_bytes, 4);
-            REQUIRE(store.begin(upload_of(2, "other", other), {}).is_ok());
-            write_in_pieces(store, std::span{other}.first(other.size() - 1));
-        }
-        flash.damage(small_places.directory_sector((1 + newest) % FlashPlaces::directory_sectors) + 100);
+        const std::uint32_t newest = newest_copy(flash);
+        begin_upload(flash, padded_scene(3 * sector_bytes, 4)); // goes where the old scene was
+        flash.damage(newest + 100);
         CHECK(state_of(Store{flash, small_places}) == made);
     }
+}
+
+TEST_CASE("copies of the directory during which power was cut, start for start, do not come back later")
+{
+    PretendFlash flash{small_flash_bytes};
+    {
+        Store store{flash, small_places};
+        REQUIRE(put(store, 0, "old", padded_scene(3 * sector_bytes, 1)) == Status::ok);
+        REQUIRE(put(store, 1, "stays", padded_scene(5 * sector_bytes, 2)) == Status::ok);
+    }
+    const SlotState old = state_of(Store{flash, small_places});
+    std::vector<std::uint32_t> doubtful;
+    {
+        Store store{flash, small_places};
+        REQUIRE(put(store, 0, "new", padded_scene(3 * sector_bytes, 3)) == Status::ok);
+        doubtful.push_back(newest_copy(flash));
+    }
+    for (int start = 0; start < 2; ++start) { // each of them reads the copy before rightly
+        Store store{flash, small_places};
+        flash.cut(3, Remains::nothing_done, 1);
+        CHECK_THROWS_AS(store.choose(1), PowerCut);
+        doubtful.push_back(newest_copy(flash));
+    }
+    flash.power_again();
+    for (const std::uint32_t copy : doubtful)
+        flash.damage(copy + 100);
+    REQUIRE(state_of(Store{flash, small_places}) == old);
+    begin_upload(flash, padded_scene(4 * sector_bytes, 4)); // goes where the new scene was
+    flash.damage(doubtful.back() + 100);
+    CHECK(state_of(Store{flash, small_places}) == old);
 }
 
 }
