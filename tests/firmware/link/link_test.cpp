@@ -280,6 +280,16 @@ TEST_CASE("the scene of the start is that of the chosen slot, or the built-in on
     CHECK_FALSE(bench.device.now.is_playing);
 }
 
+TEST_CASE("an upload moves behind a sector that does not hold, and its computer does not notice")
+{
+    LinkBench bench;
+    bench.flash.spoil(small_places.pool + sector_bytes, Fault::program_error);
+    const Scene scene = padded_scene(3 * sector_bytes, 1);
+    CHECK(bench.upload(LinkBench::begin_for_slot(3, "eyes", scene), scene, 9).is_ok());
+    CHECK(bench.slots.entry(3).offset == 2 * sector_bytes);
+    CHECK(bench.does(Play{.home = Home::slot, .slot = 3}));
+}
+
 TEST_CASE("a slot in whose place another scene lies does not play")
 {
     LinkBench bench;
