@@ -31,8 +31,9 @@ public:
     {
     }
 
-    /// Fails with no_such_slot, empty_slot, nothing_in_ram, nothing_plays, no_such_clip or an error of
-    /// SceneView::parse, or as the device does; then the scene that played plays on.
+    /// Fails with no_such_slot, empty_slot, nothing_in_ram, nothing_plays, no_such_clip, bad_checksum if a
+    /// slot holds something else than was put into it, or an error of SceneView::parse, or as the device
+    /// does; then the scene that played plays on.
     StatusWithNumber play(const Play& what)
     {
         if (what.home == Home::start)
@@ -49,7 +50,7 @@ public:
     /// Fails as playing the built-in scene fails, and then the scene that played plays on.
     StatusWithNumber play_start(const Name& clip = {})
     {
-        if (const auto chosen = slots_.chosen()) {
+        if (const auto chosen = slots_.chosen(); chosen && slots_.is_whole(*chosen)) {
             const StatusWithNumber result = play_at_start({slots_.scene(*chosen), Home::slot, *chosen, clip});
             if (result.is_ok() || result.status == Status::no_such_clip)
                 return result;
@@ -105,10 +106,7 @@ private:
             selection.scene = device_.built_in();
             return is_blank(selection.scene) ? Status::no_scene : Status::ok;
         case Home::slot:
-            if (const StatusWithNumber result = slot_exists(selection.slot); !result.is_ok())
-                return result;
-            selection.scene = slots_.scene(selection.slot);
-            return selection.scene.empty() ? Status::empty_slot : Status::ok;
+            return find_scene_of_slot(selection);
         case Home::ram:
             selection.slot = no_slot;
             selection.scene = upload_.ram_scene();
@@ -122,6 +120,16 @@ private:
         selection.slot = playing.slot;
         selection.scene = device_.played();
         return playing.is_playing ? Status::ok : Status::nothing_plays;
+    }
+
+    StatusWithNumber find_scene_of_slot(SceneSelection& selection) const
+    {
+        if (const StatusWithNumber result = slot_exists(selection.slot); !result.is_ok())
+            return result;
+        selection.scene = slots_.scene(selection.slot);
+        if (selection.scene.empty())
+            return Status::empty_slot;
+        return slots_.is_whole(selection.slot) ? Status::ok : Status::bad_checksum;
     }
 
     D& device_;

@@ -22,8 +22,9 @@ public:
     /// Both must outlive it.
     Upload(D& device, SlotStore<F>& slots) : device_{device}, slots_{slots} {}
 
-    /// Fails with bad_value, no_such_slot, no_room or too_large. An upload that was under way is dropped even
-    /// then, unless this is its own beginning once more. Put off as long as what plays gives way to it.
+    /// Fails with bad_value, no_such_slot, no_room, too_large or flash_failed. An upload that was under way
+    /// is dropped even then, unless this is its own beginning once more. Put off as long as what plays gives
+    /// way to it.
     Outcome<Begun> begin(const Begin& what, std::uint8_t tag, Microseconds now)
     {
         if (transfer_.is_begun_by(what, tag) && !is_out_of_ram())

@@ -10,7 +10,9 @@ namespace kfast {
 namespace {
 
 constexpr std::array<std::byte, 4> magic{std::byte{'K'}, std::byte{'F'}, std::byte{'S'}, std::byte{'D'}};
-constexpr std::uint32_t directory_version = 1;
+constexpr std::uint32_t directory_version = 2;
+/// Its copies know of no bad sectors.
+constexpr std::uint32_t first_version = 1;
 
 void write_entry(const SlotEntry& entry, SpanWriter& writer)
 {
@@ -29,26 +31,33 @@ SlotEntry read_entry(ByteReader& reader)
     return entry;
 }
 
-SlotDirectory read_fields(ByteReader reader)
+SlotDirectory read_fields(ByteReader reader, std::uint32_t version)
 {
     SlotDirectory directory;
     directory.generation = reader.u32();
     directory.next = reader.u32();
     directory.chosen = static_cast<std::uint8_t>(reader.u8());
-    reader.skip(3);
+    directory.bad_copies = static_cast<std::uint8_t>(reader.u8());
+    reader.skip(2);
     for (SlotEntry& entry : directory.slots)
         entry = read_entry(reader);
+    if (version != first_version)
+        std::ranges::copy(reader.rest().first(directory.bad_sectors.bits.size()),
+                          directory.bad_sectors.bits.begin());
     return directory;
 }
 
-bool is_whole(std::span<const std::byte> record)
+constexpr std::size_t bytes_of_version(std::uint32_t version)
 {
-    ByteReader reader{record.subspan(magic.size())};
+    return version == first_version ? slot_directory_bytes - sizeof(SectorSet::bits) : slot_directory_bytes;
+}
+
+bool has_right_checksum(std::span<const std::byte> record)
+{
     ByteReader end{record.last(4)};
     Crc32 crc;
     crc.add(record.first(record.size() - 4));
-    return std::ranges::equal(record.first(magic.size()), magic) && reader.u16() == directory_version &&
-           reader.u16() == SlotDirectory::slot_count && end.u32() == crc.value();
+    return end.u32() == crc.value();
 }
 
 bool lies_within(const SlotEntry& entry, std::uint32_t pool_bytes)
@@ -77,9 +86,12 @@ SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory)
     writer.u16(SlotDirectory::slot_count);
     writer.u32(directory.generation);
     writer.u32(directory.next);
-    writer.u32(directory.chosen); // and the three zeros after it
+    writer.u8(directory.chosen);
+    writer.u8(directory.bad_copies);
+    writer.u16(0);
     for (const SlotEntry& entry : directory.slots)
         write_entry(entry, writer);
+    writer.bytes(directory.bad_sectors.bits);
     Crc32 crc;
     crc.add(std::span{pages}.first(slot_directory_bytes - 4));
     writer.u32(crc.value());
@@ -88,9 +100,15 @@ SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory)
 
 std::optional<SlotDirectory> read_slot_directory(std::span<const std::byte> bytes, std::uint32_t pool_bytes)
 {
-    if (bytes.size() < slot_directory_bytes || !is_whole(bytes.first(slot_directory_bytes)))
+    if (bytes.size() < slot_directory_bytes || !std::ranges::equal(bytes.first(magic.size()), magic))
         return std::nullopt;
-    const SlotDirectory directory = read_fields(ByteReader{bytes.subspan(8)});
+    ByteReader reader{bytes.subspan(magic.size())};
+    const std::uint32_t version = reader.u16();
+    if ((version != directory_version && version != first_version) ||
+        reader.u16() != SlotDirectory::slot_count ||
+        !has_right_checksum(bytes.first(bytes_of_version(version))))
+        return std::nullopt;
+    const SlotDirectory directory = read_fields(reader, version);
     return lies_within(directory, pool_bytes) ? std::optional{directory} : std::nullopt;
 }
 

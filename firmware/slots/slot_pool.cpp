@@ -3,11 +3,11 @@
 #include "core/bytes/expects.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace kfast {
 
-SlotPool::SlotPool(const SlotDirectory& directory, std::uint32_t bytes, Extent held) : bytes_{bytes}
+SlotPool::SlotPool(const SlotDirectory& directory, std::uint32_t bytes, Extent held)
+    : occupied_{directory.bad_sectors}, sectors_{bytes / sector_bytes}
 {
     for (const SlotEntry& entry : directory.slots)
         occupy({entry.offset, entry.offset + entry.size});
@@ -18,28 +18,18 @@ void SlotPool::occupy(Extent extent)
 {
     if (extent.begin == extent.end)
         return;
-    const Extent whole{extent.begin / sector_bytes * sector_bytes, whole_sectors(extent.end)};
-    std::size_t at = count_++;
-    for (; at > 0 && whole.begin < occupied_[at - 1].begin; --at)
-        occupied_[at] = occupied_[at - 1];
-    occupied_[at] = whole;
-}
-
-const Extent* SlotPool::first_obstacle(Extent extent) const
-{
-    for (const Extent& other : std::span{occupied_}.first(count_))
-        if (other.begin < extent.end && extent.begin < other.end)
-            return &other;
-    return nullptr;
+    for (std::uint32_t at = extent.begin / sector_bytes * sector_bytes; at < extent.end; at += sector_bytes)
+        occupied_.add(at / sector_bytes);
 }
 
 std::optional<std::uint32_t> SlotPool::room_behind(std::uint32_t from, std::uint32_t size) const
 {
-    while (from < bytes_ && size <= bytes_ - from) {
-        const Extent* const obstacle = first_obstacle({from, from + size});
-        if (!obstacle)
-            return from;
-        from = obstacle->end;
+    std::uint32_t begin = from / sector_bytes;
+    for (std::uint32_t sector = begin; sector < sectors_; ++sector) {
+        if (occupied_.has(sector))
+            begin = sector + 1;
+        else if (size <= (sector + 1 - begin) * sector_bytes)
+            return begin * sector_bytes;
     }
     return std::nullopt;
 }
@@ -55,11 +45,11 @@ std::uint32_t SlotPool::longest_room() const
 {
     std::uint32_t longest = 0;
     std::uint32_t free = 0;
-    for (const Extent& extent : std::span{occupied_}.first(count_)) {
-        longest = std::max(longest, extent.begin > free ? extent.begin - free : 0);
-        free = std::max(free, extent.end);
+    for (std::uint32_t sector = 0; sector < sectors_; ++sector) {
+        free = occupied_.has(sector) ? 0 : free + sector_bytes;
+        longest = std::max(longest, free);
     }
-    return std::max(longest, bytes_ > free ? bytes_ - free : 0);
+    return longest;
 }
 
 }

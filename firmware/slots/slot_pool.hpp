@@ -1,9 +1,8 @@
 #pragma once
 
+#include "firmware/slots/sector_set.hpp"
 #include "firmware/slots/slot_directory.hpp"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -19,8 +18,14 @@ struct Extent {
 /// sector on.
 class SlotPool {
 public:
-    /// The slots of `directory` are occupied, and so is `held`, if it is not empty.
+    /// Without any room.
+    SlotPool() = default;
+    /// The slots of `directory` are occupied, and so are its bad sectors and `held`, if it is not empty.
     SlotPool(const SlotDirectory& directory, std::uint32_t bytes, Extent held);
+
+    /// All sectors of which `extent` has bytes are no room any more. They may follow the pool, but are within
+    /// the capacity of a SectorSet.
+    void occupy(Extent extent);
 
     /// Where `size` bytes (not 0) find room: at or after `from`, or else from the beginning of the pool. So
     /// what is written goes round through the whole pool, and no part of it wears before the others.
@@ -29,13 +34,10 @@ public:
     std::uint32_t longest_room() const;
 
 private:
-    void occupy(Extent extent);
-    const Extent* first_obstacle(Extent extent) const;
     std::optional<std::uint32_t> room_behind(std::uint32_t from, std::uint32_t size) const;
 
-    std::array<Extent, SlotDirectory::slot_count + 1> occupied_{}; ///< in the order of their offsets
-    std::size_t count_ = 0;
-    std::uint32_t bytes_;
+    SectorSet occupied_;
+    std::uint32_t sectors_ = 0;
 };
 
 }

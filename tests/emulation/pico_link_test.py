@@ -77,7 +77,7 @@ def check_tells(bench):
     expect(told["protocol"] == 1 and told["slots"] == 8 and told["panel"] == [240, 240], f"the board is {told}")
     expect(told["serial"] == SERIAL and told["names"][2] == SERIAL, f"its number is {told['serial']}")
     expect(told["board"] == "pico" and told["display"] == "st7789" and told["firmware"], f"it calls itself {told}")
-    expect(told["ram"] >= 16 * 1024 and told["pool"] == told["room"] == 0x17E000, f"its memory is {told}")
+    expect(told["ram"] >= 16 * 1024 and told["pool"] == told["room"] == 0x17C000, f"its memory is {told}")
     expect(told["playing"]["plays"] and told["playing"]["home"] == 0, f"it plays {told['playing']}")
 
 

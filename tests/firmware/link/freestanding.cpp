@@ -27,4 +27,4 @@ template class kfast::link::Link<kfast::link::PlaybackSession, kfast::test::Boar
 template class kfast::link::LinkService<kfast::test::BoardPipe, kfast::test::BoardFlash>;
 static_assert(sizeof(kfast::SlotStore<kfast::test::BoardFlash>) < 5000);
 static_assert(sizeof(kfast::link::LinkService<kfast::test::BoardPipe, kfast::test::BoardFlash>) < 1200);
-static_assert(kfast::rp2040::slot_places.pool_bytes == 1528 * 1024);
+static_assert(kfast::rp2040::slot_places.pool_bytes == 1520 * 1024);

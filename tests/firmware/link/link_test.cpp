@@ -280,6 +280,33 @@ TEST_CASE("the scene of the start is that of the chosen slot, or the built-in on
     CHECK_FALSE(bench.device.now.is_playing);
 }
 
+TEST_CASE("an upload moves behind a sector that does not hold, and its computer does not notice")
+{
+    LinkBench bench;
+    bench.flash.spoil(small_places.pool + sector_bytes, Fault::program_error);
+    const Scene scene = padded_scene(3 * sector_bytes, 1);
+    CHECK(bench.upload(LinkBench::begin_for_slot(3, "eyes", scene), scene, 9).is_ok());
+    CHECK(bench.slots.entry(3).offset == 2 * sector_bytes);
+    CHECK(bench.does(Play{.home = Home::slot, .slot = 3}));
+}
+
+TEST_CASE("a slot in whose place another scene lies does not play")
+{
+    LinkBench bench;
+    const Scene scene = padded_scene(sector_bytes, 1);
+    const Scene other = padded_scene(sector_bytes, 2);
+    REQUIRE(bench.upload(LinkBench::begin_for_slot(3, "eyes", scene), scene, 9).is_ok());
+    REQUIRE(bench.does(ChooseSlot{.slot = 3}));
+    const std::uint32_t place = small_places.pool + bench.slots.entry(3).offset;
+    bench.flash.erase(place);
+    for (std::uint32_t at = 0; at < sector_bytes; at += page_bytes)
+        bench.flash.program(place + at, std::span{other}.subspan(at).first<page_bytes>());
+    REQUIRE(SceneView::parse(bench.slots.scene(3)));
+    CHECK(bench.refusal(Play{.home = Home::slot, .slot = 3}) == StatusWithNumber{Status::bad_checksum});
+    CHECK(bench.link.play_start().is_ok());
+    CHECK(bench.device.selection.home == Home::built_in);
+}
+
 TEST_CASE("reports that mean nothing are refused and counted")
 {
     LinkBench bench;
