@@ -24,6 +24,7 @@ struct DeviceFacts {
     StoredText<24> serial{};       ///< unique to the chip
     Names names{};
     Name start_clip{}; ///< played at the start if the scene has it; empty: all of the scene
+    Restarts restarts{};
 };
 
 /// A valid scene (SceneView::parse), and what of it is to be played.

@@ -281,13 +281,7 @@ private:
         upload_.forget_last();
         return slots_.erase(which.slot);
     }
-    Completion<Kind::choose> carry_out(const ChooseSlot& which, Asked)
-    {
-        if (which.slot == no_slot)
-            return slots_.choose(std::nullopt);
-        const StatusWithNumber result = slot_exists(which.slot);
-        return result.is_ok() ? StatusWithNumber{slots_.choose(which.slot)} : result;
-    }
+    Completion<Kind::choose> carry_out(const ChooseSlot& which, Asked) { return library_.choose(which.slot); }
 
     Completion<Kind::play> carry_out(const Play& what, Asked) { return library_.play(what); }
 

@@ -4,6 +4,7 @@
 #include "core/time/time.hpp"
 #include "firmware/chip/stored_text.hpp"
 #include "firmware/link/message_kind.hpp"
+#include "firmware/link/restarts.hpp"
 #include "firmware/status.hpp"
 
 #include <cstdint>
@@ -79,11 +80,12 @@ struct Playing {
     std::int32_t speed = 0;       ///< Q16 of the authored one
     Name clip{};                  ///< empty: the whole scene
     Arming arming = Arming::none; ///< also if nothing plays
+    Restarts restarts{};          ///< likewise; none by devices that do not tell them
 
     static constexpr void fields(auto&& io, auto& it)
     {
         io(it.is_playing, it.is_paused, it.home, it.slot, it.brightness, it.inputs, it.canvas, it.frame_rate,
-           it.length, it.moment, it.speed, it.clip, it.arming);
+           it.length, it.moment, it.speed, it.clip, it.arming, it.restarts);
     }
 };
 

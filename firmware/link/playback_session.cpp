@@ -43,15 +43,20 @@ PlaybackSession::PlaybackSession(const BoardFacts& facts)
     : facts_{facts},
       memory_{facts.block},
       interlock_{facts.set_armed},
+      restarts_{facts.restarts, facts.keep},
       now_{built_in_item()},
       brightness_{facts.settings.panel.brightness},
       turned_brightness_{facts.settings.panel.brightness}
 {
 }
 
-PlaybackSession::PlaybackItem PlaybackSession::built_in_item() const
+[[gnu::cold]] PlaybackSession::PlaybackItem PlaybackSession::built_in_item() const
 {
-    return {{.scene = facts_.built_in, .home = Home::built_in, .clip = facts_.settings.clip}, std::nullopt};
+    const bool is_allowed = facts_.restarts.allows_built_in();
+    return {{.scene = is_allowed ? facts_.built_in : std::span<const std::byte>{},
+             .home = Home::built_in,
+             .clip = facts_.settings.clip},
+            std::nullopt};
 }
 
 DeviceFacts PlaybackSession::facts() const
@@ -61,13 +66,14 @@ DeviceFacts PlaybackSession::facts() const
             .ram_bytes = static_cast<std::uint32_t>(memory_.size() / 2),
             .serial = facts_.serial,
             .names = {.firmware = {version}, .board = facts_.board, .panel = facts_.panel},
-            .start_clip = facts_.settings.clip};
+            .start_clip = facts_.settings.clip,
+            .restarts = facts_.restarts};
 }
 
 Playing PlaybackSession::playing() const
 {
     if (!now_.scene)
-        return {.brightness = brightness_, .arming = interlock_.state()};
+        return {.brightness = brightness_, .arming = interlock_.state(), .restarts = facts_.restarts};
     return {.is_playing = true,
             .is_paused = controls_->is_paused(),
             .home = now_.selection.home,
@@ -80,7 +86,8 @@ Playing PlaybackSession::playing() const
             .moment = moment_,
             .speed = controls_->speed(),
             .clip = controls_->clip(),
-            .arming = interlock_.state()};
+            .arming = interlock_.state(),
+            .restarts = facts_.restarts};
 }
 
 InputState PlaybackSession::input(std::uint8_t number) const
@@ -195,6 +202,7 @@ bool PlaybackSession::begin()
     next_.reset();
     is_new_ = false;
     is_drawn_ = !now_.holds;
+    restarts_.begins(is_drawn_ ? now_.selection.home : Home::start, now_.selection.slot);
     return is_drawn_;
 }
 

@@ -9,6 +9,7 @@
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/laser_interlock.hpp"
 #include "firmware/link/message.hpp"
+#include "firmware/link/restart_counter.hpp"
 #include "firmware/link/scene_memory.hpp"
 #include "firmware/run/board.hpp"
 #include "firmware/run/controls.hpp"
@@ -45,6 +46,9 @@ struct BoardFacts {
     bool has_boot_loader = false;
     /// Lets a dangerous beam shine, or not. Null: there is none (LaserInterlock).
     void (*set_armed)(bool is_armed) = nullptr;
+    Restarts restarts{}; ///< before this start
+    /// Keeps a word over the next restart by the watchdog. Null: there is none (RestartCounter).
+    void (*keep)(std::uint32_t word) = nullptr;
 };
 
 /// What plays on a board, and what shall play next, as its computer (Link), its buttons and its knobs set
@@ -56,7 +60,7 @@ struct BoardFacts {
 /// lent.
 class PlaybackSession {
 public:
-    /// At first the built-in scene plays, whatever it is.
+    /// At first the built-in scene plays, whatever it is; nothing if safe mode does not allow it (Restarts).
     explicit PlaybackSession(const BoardFacts& facts);
 
     // What Link requires of its device (device.hpp).
@@ -106,6 +110,7 @@ public:
     template <TouchedPins Pins>
     void steer(Playhead& playhead, Pins& pins, Microseconds now)
     {
+        restarts_.pass(now);
         controls_->steer(playhead, pins, now);
         steered(playhead);
     }
@@ -151,6 +156,7 @@ private:
     BoardFacts facts_;
     SceneMemory memory_;
     LaserInterlock interlock_;
+    RestartCounter restarts_;
     PlaybackItem now_;
     bool is_new_ = true;                   ///< what plays now has not begun
     bool is_drawn_ = false;                ///< frames of it are under way

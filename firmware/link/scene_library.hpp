@@ -26,7 +26,7 @@ template <Device D, Flash F>
 class SceneLibrary {
 public:
     /// All of them must outlive it.
-    SceneLibrary(D& device, const SlotStore<F>& slots, const Upload<D, F>& upload)
+    SceneLibrary(D& device, SlotStore<F>& slots, const Upload<D, F>& upload)
         : device_{device}, slots_{slots}, upload_{upload}
     {
     }
@@ -45,17 +45,34 @@ public:
         return scene ? play(selection, *scene) : status_of(scene.error());
     }
 
-    /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen or it
-    /// cannot be played, the built-in one. `clip` is one of its clips; empty: what the device is set to.
-    /// Fails as playing the built-in scene fails, and then the scene that played plays on.
+    /// Plays what plays when the device starts: the scene of the chosen slot or, where none is chosen, it
+    /// cannot be played or the device is in safe mode (Restarts), the built-in one. `clip` is one of its
+    /// clips; empty: what the device is set to. Fails as playing the built-in scene fails, or with no_scene
+    /// if safe mode does not allow that either, and then the scene that played plays on.
     StatusWithNumber play_start(const Name& clip = {})
     {
-        if (const auto chosen = slots_.chosen(); chosen && slots_.is_whole(*chosen)) {
+        const Restarts restarts = heeded_restarts();
+        if (!restarts.allows_built_in())
+            return Status::no_scene;
+        const auto chosen = slots_.chosen();
+        if (chosen && !restarts.is_safe_mode() && slots_.is_whole(*chosen)) {
             const StatusWithNumber result = play_at_start({slots_.scene(*chosen), Home::slot, *chosen, clip});
             if (result.is_ok() || result.status == Status::no_such_clip)
                 return result;
         }
         return play_at_start({device_.built_in(), Home::built_in, no_slot, clip});
+    }
+
+    /// From now on the scene of `slot` plays at the start, no_slot: the built-in one; safe mode does not
+    /// contradict. Fails with no_such_slot, or as the slots do.
+    StatusWithNumber choose(std::uint8_t slot)
+    {
+        const bool is_slot = slot != no_slot;
+        if (const StatusWithNumber result = slot_exists(slot); is_slot && !result.is_ok())
+            return result;
+        const Status status = slots_.choose(is_slot ? std::optional{slot} : std::nullopt);
+        heeds_choice_ = heeds_choice_ || status == Status::ok;
+        return status;
     }
 
     /// Ends what played, even if there is nothing else.
@@ -66,6 +83,8 @@ public:
     }
 
 private:
+    Restarts heeded_restarts() const { return heeds_choice_ ? Restarts{} : device_.facts().restarts; }
+
     /// A device that has no scene for its start plays nothing then.
     StatusWithNumber play_start_or_nothing(const Name& clip)
     {
@@ -133,8 +152,9 @@ private:
     }
 
     D& device_;
-    const SlotStore<F>& slots_;
+    SlotStore<F>& slots_;
     const Upload<D, F>& upload_;
+    bool heeds_choice_ = false; ///< somebody has chosen since the start
 };
 
 }

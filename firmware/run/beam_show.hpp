@@ -62,6 +62,13 @@ void wake_display(B&)
 {
 }
 
+/// A beam says nothing.
+template <BeamBoard B>
+bool show_notice(B&)
+{
+    return false;
+}
+
 /// The board shows it with its light.
 template <BeamBoard B>
 void show_why_nothing_plays(B& board, Error)

@@ -36,6 +36,12 @@ struct BoardNames {
     std::string_view panel;
 };
 
+/// What a board shows before it plays: a title and words in the letters of small_font.hpp. No title: nothing.
+struct Notice {
+    std::string_view title;
+    std::string_view words;
+};
+
 // Compound requirements would be torn apart.
 // clang-format off
 
@@ -161,6 +167,16 @@ concept ChangingBoard = Board<B> && requires(B& board, Microseconds moment) {
     { board.linger_until(moment) } -> std::same_as<void>;
     /// All ends when this is false, and so is running().
     { board.wants_to_run() } -> std::same_as<bool>;
+};
+
+/// A board that may have something to say to whoever looks at its panel before anything plays, and as long as there is
+/// nothing to play.
+template <class B>
+concept NoticingBoard = PanelBoard<B> && requires(B& board) {
+    /// Its texts stay valid.
+    { board.notice() } -> std::same_as<Notice>;
+    /// The notice has arrived in the panel.
+    { board.notice_shown() } -> std::same_as<void>;
 };
 
 /// A board whose panel shows a test card when it has no scene: when the first four bytes of its place are all

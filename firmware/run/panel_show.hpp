@@ -4,6 +4,7 @@
 #include "firmware/run/blank.hpp"
 #include "firmware/run/board.hpp"
 #include "firmware/run/fault_card.hpp"
+#include "firmware/run/notice_card.hpp"
 #include "firmware/run/sending.hpp"
 #include "firmware/run/test_card.hpp"
 
@@ -79,6 +80,23 @@ void wake_display(B& board)
     board.panel().wake([&board](Microseconds time) { board.sleep_until(board.now() + time); });
 }
 
+/// Shows what the board has to say, if it has. Returns whether it does.
+template <PanelBoard B>
+[[gnu::cold]] bool show_notice(B& board)
+{
+    if constexpr (NoticingBoard<B>) {
+        const Notice notice = board.notice();
+        if (notice.title.empty() || !bands_hold_rows(board))
+            return false;
+        show_card(board, NoticeCard{notice.title, notice.words, board.panel().size()});
+        board.notice_shown();
+        return true;
+    } else {
+        static_cast<void>(board);
+        return false;
+    }
+}
+
 /// Shows on the panel why nothing is played, if the bands hold a row of it. Happens once at most, and is
 /// compiled for size.
 template <PanelBoard B>
@@ -86,10 +104,13 @@ template <PanelBoard B>
 {
     if (!bands_hold_rows(board))
         return;
+    const bool has_scene = !is_blank(board.scene_bytes());
+    if (!has_scene && show_notice(board))
+        return;
     if constexpr (NamedBoard<B>)
-        if (is_blank(board.scene_bytes()))
+        if (!has_scene)
             return show_card(board, TestCard{board.names(), board.panel().size()});
-    show_card(board, FaultCard{error, board.panel().size()});
+    show_card(board, FaultCard{error, board.panel().size()}.notice());
 }
 
 /// Nothing is drawn: the panel shows what it shows.

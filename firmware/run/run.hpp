@@ -149,13 +149,16 @@ void run(B& board)
     hold_display(board);
 }
 
-/// Begins the display, and runs whatever the board has to play, one after another, as long as it wants to
-/// run.
+/// Begins the display, shows what the board has to say, if it has, and runs whatever it has to play, one
+/// after another, as long as it wants to run.
 template <ChangingBoard B>
 void run_scenes(B& board)
 {
     constexpr Microseconds nap{100'000};
+    constexpr Microseconds notice_time{5'000'000};
     begin_display(board);
+    if (show_notice(board))
+        board.sleep_until(board.now() + notice_time);
     while (board.wants_to_run()) {
         if (board.begin())
             run_scene(board);

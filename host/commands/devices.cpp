@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/devices/device_options.hpp"
 #include "host/commands/devices/playing_text.hpp"
+#include "host/commands/devices/restart_text.hpp"
 #include "host/commands/text/json_text.hpp"
 #include "host/link/device_address.hpp"
 #include "host/link/hid_pipe.hpp"
@@ -63,6 +64,7 @@ Json json_of(const DeviceFacts& facts)
           {"link_errors", facts.statistics.link_errors}}},
         {"playing", playing_json(facts.playing)},
         {"armed", armed_json(facts.playing)},
+        {"watchdog", restart_json(facts.playing.restarts)},
     };
 }
 
@@ -82,6 +84,10 @@ void print_text(const DeviceFacts& facts)
               << (statistics.coarse == 0 ? ""
                                          : std::to_string(statistics.coarse) + " coarser for want of room, ")
               << statistics.skipped << " left out\n";
+    if (facts.playing.restarts.count != 0)
+        std::cout << "  restarted   " << restart_text(facts.playing.restarts) << '\n';
+    if (facts.playing.restarts.is_safe_mode())
+        std::cout << "  safe mode   " << safe_mode_text(facts.playing.restarts) << '\n';
 }
 
 /// The devices that are named, or else all that are attached.

@@ -94,6 +94,14 @@ void check_speed(const BeamFit& fit, std::vector<std::string>& weaknesses)
                              " can be reached");
 }
 
+void check_watchdog(const BeamFit& fit, const Target& target, std::vector<std::string>& weaknesses)
+{
+    const auto dearest = std::ranges::max_element(fit.pictures, {}, &BeamMoment::cpu_seconds);
+    if (const std::string reason = watchdog_reason(dearest->cpu_seconds, dearest->moment, target);
+        !reason.empty())
+        weaknesses.push_back(reason);
+}
+
 /// About pictures that are drawn completely: the others are a reason not to fit.
 void note_speed_level(const BeamFit& fit, std::vector<std::string>& notes)
 {
@@ -185,6 +193,7 @@ BeamFit beam_fit(const SceneView& scene, const Target& target, double frames_per
     check_memory("RAM", fit.ram.sum(), target.ram, parts_text(fit.ram, "buffers"), fit.shortages);
     check_bus(target, fit.weaknesses);
     check_pictures(fit, target, fit.weaknesses);
+    check_watchdog(fit, target, fit.weaknesses);
     check_speed(fit, fit.weaknesses);
     note_speed_level(fit, fit.notes);
     note_hatchings(fit, fit.notes);

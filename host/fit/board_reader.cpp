@@ -15,8 +15,8 @@
 namespace kfast::fit {
 namespace {
 
-using schema::assign, schema::frequency, schema::memory_size, schema::NodeForm, schema::PartRule,
-    schema::PropertyRule, schema::Range, schema::Report, schema::Times, schema::Word;
+using schema::assign, schema::duration, schema::frequency, schema::memory_size, schema::NodeForm,
+    schema::PartRule, schema::PropertyRule, schema::Range, schema::Report, schema::Times, schema::Word;
 
 constexpr Range clocks{1e6, 2e9};
 constexpr Range bus_clocks{1e3, 1e9};
@@ -24,6 +24,7 @@ constexpr Range cycles{0.25, 20};
 constexpr Range memories{1024, 64 * 1024 * 1024};
 constexpr Range bands{16, 1024 * 1024};
 constexpr Range reserves{0, 64 * 1024 * 1024};
+constexpr Range watchdogs{0.001, 1000};
 
 constexpr std::array processor_words{
     Word<Processor>{"cortex-m0", Processor::cortex_m0}, Word<Processor>{"cortex-m0+", Processor::cortex_m0},
@@ -150,6 +151,12 @@ bool read_reserved(const kdl::Node& node, Target& target, Report& report)
     return true;
 }
 
+bool read_watchdog(const kdl::Node& node, Target& target, Report& report)
+{
+    return refuse_properties(node, report) &&
+           assign(read_quantity(node.arguments.front(), duration, watchdogs, report), target.watchdog);
+}
+
 bool read_features(const kdl::Node& node, Target& target, Report& report)
 {
     return refuse_properties(node, report) &&
@@ -165,6 +172,7 @@ constexpr std::array part_rules{
     PartRule<Target>{panel_form, read_panel, Times::at_most_once},
     PartRule<Target>{beam_form, read_board_beam, Times::at_most_once},
     PartRule<Target>{{"bands", "bands (KiB)4", 1, 1}, read_bands, Times::at_most_once},
+    PartRule<Target>{{"watchdog", "watchdog (s)8.3", 1, 1}, read_watchdog, Times::at_most_once},
     PartRule<Target>{{"features", "features all", 1, 1}, read_features, Times::at_most_once},
     PartRule<Target>{
         {"reserved", "reserved drivers flash=(KiB)40 ram=(KiB)8", 0, 1}, read_reserved, Times::any},

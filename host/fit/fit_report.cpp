@@ -150,6 +150,15 @@ std::string slowness_of(const FitReport& report)
     return {};
 }
 
+std::string hang_of(const FitReport& report, const Target& target)
+{
+    const FrameCost* dearest = &report.speed.first;
+    for (const FrameCost& frame : report.speed.frames)
+        if (frame.cpu_seconds > dearest->cpu_seconds)
+            dearest = &frame;
+    return watchdog_reason(dearest->cpu_seconds, dearest->moment, target);
+}
+
 void note_bus(const Target& target, std::vector<std::string>& notes)
 {
     const Display& display = target.display;
@@ -201,6 +210,7 @@ void judge(const Target& target, FitReport& report)
     check_ram(report, target, report.shortages);
     check_bands(target, report.shortages);
     check_outlines(report, report.shortages);
+    report.hang = hang_of(report, target);
     report.slowness = slowness_of(report);
     note_bus(target, report.notes);
     note_stride(report, report.notes);
@@ -214,8 +224,9 @@ void judge(const Target& target, FitReport& report)
 std::vector<std::string> FitReport::reasons() const
 {
     std::vector<std::string> reasons = shortages;
-    if (!slowness.empty())
-        reasons.push_back(slowness);
+    for (const std::string& reason : {hang, slowness})
+        if (!reason.empty())
+            reasons.push_back(reason);
     return reasons;
 }
 

@@ -35,15 +35,16 @@ struct FitReport {
     std::string largest_object;         ///< of the frame with the largest outlines
     std::string overfull_object;        ///< of the first frame whose outlines find no room
     std::vector<std::string> shortages; ///< of memory, and how much is missing; none if it can be played
+    std::string hang;     ///< why the board's watchdog would end the scene; empty if it does not
     std::string slowness; ///< why it plays slower than wanted, and how fast it can; empty if it does not
     std::vector<std::string> notes; ///< what one should know besides
 
-    /// Why it does not fit: shortages and slowness. None if it does.
+    /// Why it does not fit: shortages, a hang and slowness. None if it does.
     std::vector<std::string> reasons() const;
     /// "12 of 76 pictures late": although it fits, and whether only while its inputs move or leap.
     /// Empty if none is late.
     std::string lateness_text() const;
-    bool fits() const { return shortages.empty() && slowness.empty(); }
+    bool fits() const { return shortages.empty() && hang.empty() && slowness.empty(); }
 };
 
 /// Throws FitStopped.

@@ -61,6 +61,7 @@ struct Target {
     std::optional<BeamProfile> beam; ///< instead of a panel
     std::size_t band_bytes =
         4096; ///< of each of the two buffers that rows are drawn into, or the points of a beam, 4 for each
+    double watchdog = 0; ///< seconds after which its watchdog restarts it without a picture; 0: it has none
     std::vector<Reserved> reserved = {};
     bool has_every_feature = false; ///< whatever the scene needs of the player (core/features.hpp)
 

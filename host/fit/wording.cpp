@@ -75,6 +75,15 @@ std::string frame_text(Time moment) { return digits(in_frames(moment), 12); }
 
 std::string milliseconds_text(double seconds) { return digits(seconds * 1000, 3) + " ms"; }
 
+std::string watchdog_reason(double seconds, Time moment, const Target& target)
+{
+    if (target.watchdog == 0 || seconds <= target.watchdog)
+        return {};
+    return "watchdog: frame " + frame_text(moment) + " takes " + digits(seconds, 3) +
+           " s to compute, but after " + digits(target.watchdog, 3) +
+           " s the board's watchdog restarts it: show less at once, or draw with fewer points";
+}
+
 std::string rate_text(double per_second)
 {
     if (per_second > fastest_rate)

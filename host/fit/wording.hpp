@@ -17,6 +17,8 @@ std::string memory_text(std::size_t bytes);
 std::string frame_text(Time moment);
 /// "12.3 ms"
 std::string milliseconds_text(double seconds);
+/// Why a picture that takes so long to compute does not fit the board. Empty if its watchdog allows that.
+std::string watchdog_reason(double seconds, Time moment, const Target& target);
 /// "30 fps", "24.4 fps"; rounded down. "more than 1000 fps" for all that no panel shows.
 std::string rate_text(double per_second);
 /// "62.5 MHz", "400 kHz"

@@ -109,13 +109,15 @@ inline constexpr std::array frequency_units{QuantityUnit{"Hz", 1}, QuantityUnit{
                                             QuantityUnit{"MHz", 1e6}};
 inline constexpr std::array memory_units{QuantityUnit{"KiB", 1024}, QuantityUnit{"MiB", 1024 * 1024},
                                          QuantityUnit{"B", 1}};
+inline constexpr std::array duration_units{QuantityUnit{"s", 1}, QuantityUnit{"ms", 1e-3}};
 inline constexpr QuantityForm frequency{"a frequency", "(MHz)125", frequency_units};
 inline constexpr QuantityForm memory_size{"a size of memory", "(KiB)264", memory_units};
+inline constexpr QuantityForm duration{"a duration", "(s)8.3", duration_units};
 
 /// The fewest digits that identify it, in the largest unit of which it has at least one: "(MHz)62.5"
 std::string quantity_text(double quantity, const QuantityForm& form);
 
-/// Returns Hz or bytes. Reports what is wrong and then returns nothing.
+/// Returns Hz, bytes or seconds. Reports what is wrong and then returns nothing.
 std::optional<double> read_quantity(const kdl::Value& value, const QuantityForm& form, Range range,
                                     Report& report);
 

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 
 import { EmulationError } from './rp2040/emulation_error.mjs';
+import { Hang } from './rp2040/hang.mjs';
 import { blockBytes, crc, home, kind, text, u16, u32 } from './rp2040/link_host.mjs';
 import { wiredBoard } from './rp2040/wired_board.mjs';
 
@@ -146,7 +147,7 @@ function bootLoader(host, _files, wired) {
         if (!(problem instanceof EmulationError))
             throw problem;
     }
-    return { ending: wired.board.ending, after: (wired.board.nanos - answered) / 1e6 };
+    return { ending: wired.board.ending, after: (wired.board.nanos - answered) / 1e6, kept: wired.board.scratch[3] };
 }
 
 /** Reports that mean nothing, and some that are too short, between those of an upload. */
@@ -260,6 +261,76 @@ function keeps(host, { first }, wired) {
     return {};
 }
 
+const watchdogNanos = 8.4e9;
+
+/** What begins, as the log tells it, in the order of time. */
+const scenesTold = ({ log }) => log.lines.map(([, line]) => line).filter((line) => line.startsWith('SCENE'));
+
+/** Until the watchdog has restarted the board, which the computer sets up anew. */
+function awaitRestart(host, { board }) {
+    const { starts } = board;
+    const end = board.nanos + watchdogNanos + 1e9;
+    while (board.starts === starts && board.nanos < end)
+        host.usb.run(1e6);
+    assert.equal(board.starts, starts + 1, 'the watchdog does not bite');
+    host.inbox = [];
+    host.setUp();
+}
+
+/** The scene of the chosen slot hangs whenever it begins. */
+function hangs(host, { first }, wired) {
+    waitForFrames(host, wired, 2);
+    const [builtIn] = scenesTold(wired);
+    host.upload(home.slot, 2, first);
+    host.must(kind.choose, [2]);
+    const hang = new Hang(wired, (line) => line.startsWith('SCENE') && line !== builtIn);
+    const told = { before: host.playing().restarts };
+    host.play(home.slot, 2);
+    awaitRestart(host, wired);
+    awaitRestart(host, wired);
+    told.hangs = hang.count;
+    const frames = framesTold(wired);
+    told.atStart = host.playing();
+    host.wait(4000);
+    assert.equal(framesTold(wired), frames, 'the notice is gone too soon');
+    waitForFrames(host, wired, 3);
+    told.playing = host.playing();
+    assert.equal(host.must(kind.slot, [2]).u8(3), 1, 'it is no longer chosen');
+    host.must(kind.choose, [255]);
+    host.must(kind.erase, [2]);
+    host.play(home.start);
+    waitForFrames(host, wired, 3);
+    return { ...told, starts: wired.board.starts, afterwards: host.playing(), powered: afterPower(wired) };
+}
+
+/** How often a board with the same flash says that its watchdog has restarted it when its power comes on. */
+function afterPower({ board, settings }) {
+    const wired = wiredBoard(board.memory.slice(), settings, { press: [], knob: [], absent: [], frames: '1' });
+    wired.board.run(2e9);
+    assert.equal(wired.board.ending, 'enough frames');
+    return wired.log.lines.filter(([, line]) => line.startsWith('RESTARTED')).length;
+}
+
+/** The built-in scene hangs whenever it begins, and no slot is chosen. */
+function hangsBuiltIn(host, { first }, wired) {
+    waitForFrames(host, wired, 2);
+    const [builtIn] = scenesTold(wired);
+    const hang = new Hang(wired, (line) => line === builtIn);
+    host.play(home.builtIn);
+    awaitRestart(host, wired);
+    awaitRestart(host, wired);
+    host.wait(6000);
+    const told = { hangs: hang.count, playing: host.playing() };
+    host.upload(home.ram, 255, first);
+    host.play(home.ram);
+    waitForFrames(host, wired, 3);
+    told.fromRam = host.playing();
+    host.play(home.start);
+    host.wait(200);
+    return { ...told, starts: wired.board.starts };
+}
+
 export const stories = {
     arming, armsNothing, keeps, tells, ram, slot, nothing, steers, silence, bootLoader, garbage, card, blind, cuts,
+    hangs, hangsBuiltIn,
 };

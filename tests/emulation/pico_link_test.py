@@ -147,6 +147,7 @@ def check_others(bench):
     expect(len(turns) >= 2 and len(turns) % 2 == 0, f"card: the light of the board turns at {turns} ms")
     told = bench.tell("bootLoader").report["usb"]
     expect(told["ending"] == "restarted as a USB drive" and 90 < told["after"] < 130, f"boot loader: {told}")
+    expect(told["kept"] == 0, "what is kept for a restart by the watchdog is there after the boot loader")
     told = bench.tell("blind", "--patch", f"{0x3F000 + 22}=99").report["usb"]
     expect(not told["playing"]["plays"], f"a board without settings: {told}")
 

@@ -42,6 +42,7 @@ private:
         if (!accepts(settings))
             return;
         computer_.begin(Display::facts(settings));
+        report::restarted(computer_.playback().playing().restarts);
         Display::play(settings, clock_, computer_);
     }
 

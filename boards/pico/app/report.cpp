@@ -32,6 +32,15 @@ void begun(const BoardSettings& settings)
     log.write('\n');
 }
 
+void restarted(const link::Restarts& restarts)
+{
+    if (restarts.count == 0)
+        return;
+    write_text(log, "RESTARTED ");
+    write_decimal(log, restarts.count);
+    log.write('\n');
+}
+
 void scene_started(std::span<const std::byte> scene)
 {
     if (log.is_on()) // the sum takes time

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/restarts.hpp"
 #include "firmware/run/board.hpp"
 #include "firmware/settings/board_rules.hpp"
 
@@ -11,6 +12,7 @@
 /// The lines of the log (log.hpp):
 ///
 ///     KFAST <version> pico <controller> <width>x<height>      or: beam <points a second>
+///     RESTARTED <times in a row>                              by the watchdog, if it was
 ///     SCENE <bytes> <CRC-32>
 ///     EVENT <name>                                            when it is passed, before the frame
 ///     F <time in 1/1024 frame> <frames skipped so far>        when it has arrived
@@ -19,6 +21,7 @@
 namespace kfast::pico::report {
 
 void begun(const BoardSettings& settings);
+void restarted(const link::Restarts& restarts);
 void scene_started(std::span<const std::byte> scene);
 void event_passed(std::string_view name);
 void frame_shown(FrameReport frame);

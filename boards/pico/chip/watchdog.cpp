@@ -10,10 +10,15 @@ namespace {
 // WATCHDOG
 constexpr Register ctrl{0x4005'8000};
 constexpr Register load{0x4005'8004};
+constexpr Register reason{0x4005'8008};
+// The boot ROM uses 0 and 1 to become a drive, and 4 to 7 to start what lies in flash or RAM.
+constexpr Register scratch3{0x4005'8018};
 // PAUSE_JTAG, PAUSE_DBG0, PAUSE_DBG1: it stands still for a debugger.
 constexpr std::uint32_t ctrl_pause = 7 << 24;
 constexpr std::uint32_t ctrl_enable = 1 << 30;
 constexpr std::uint32_t ctrl_trigger = 1U << 31;
+
+constexpr std::uint32_t reason_timer = 1 << 0;
 
 // The counter falls by two at every tick of a microsecond (erratum RP2040-E1).
 constexpr std::uint32_t longest = 0xFF'FFFF;
@@ -32,6 +37,12 @@ void start()
     feed();
     ctrl.set(ctrl_enable | ctrl_pause);
 }
+
+bool has_restarted() { return (reason.read() & reason_timer) != 0; }
+
+std::uint32_t kept() { return scratch3.read(); }
+
+void keep(std::uint32_t word) { scratch3.write(word); }
 
 void feed() { load.write(longest); }
 

@@ -4,6 +4,7 @@
 #include "boards/pico/chip/memory.hpp"
 #include "boards/pico/panel/dimmer.hpp"
 #include "boards/pico/panel/tearing_line.hpp"
+#include "firmware/link/restart_notice.hpp"
 #include "firmware/run/tearing_wait.hpp"
 
 #include <array>
@@ -28,6 +29,9 @@ public:
     }
 
     BoardNames names() const { return {"Pico", controller_name(settings_.panel.controller)}; }
+
+    Notice notice() const { return notice_.notice(); }
+    void notice_shown() { light_.set(brightness_); }
 
     Display& panel() { return panel_; }
     std::array<std::span<std::byte>, 2> bands() { return memory::bands(); }
@@ -91,6 +95,7 @@ private:
     Dimmer light_;
     TearingLine tearing_line_;
     TearingWait tearing_wait_;
+    link::RestartNotice notice_{playback().playing().restarts};
     std::uint8_t brightness_ = settings_.panel.brightness;
 };
 

@@ -30,8 +30,8 @@ struct PanelDisplay {
             Board board{panel, settings, clock, computer};
             using B = decltype(board);
             static_assert(EventBoard<B> && ChoosingBoard<B> && InputBoard<B> && RestingBoard<B> &&
-                          SynchronizedBoard<B> && NamedBoard<B> && ListeningBoard<B> && ChangingBoard<B> &&
-                          LiveInputBoard<B>);
+                          SynchronizedBoard<B> && NamedBoard<B> && NoticingBoard<B> && ListeningBoard<B> &&
+                          ChangingBoard<B> && LiveInputBoard<B>);
             run_scenes(board);
         });
         __builtin_unreachable(); // the board runs for ever

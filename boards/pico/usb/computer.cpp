@@ -28,6 +28,8 @@ void begin_with(link::BoardFacts facts)
     facts.block = memory::player_block();
     facts.built_in = memory::scene_region();
     facts.has_boot_loader = true;
+    facts.restarts = link::restarts_at_start(watchdog::kept(), watchdog::has_restarted());
+    facts.keep = watchdog::keep;
     playback_session.emplace(facts);
     slots.emplace(chip_flash, rp2040::slot_places);
     link_service.emplace(usb_reports, *playback_session, *slots);
@@ -49,8 +51,10 @@ void Computer::serve() const
 {
     watchdog::feed(); // checking large scenes takes long
     link_service->serve([this] { return clock_.now(); });
-    if (playback_session->is_to_leave(clock_.now()))
+    if (playback_session->is_to_leave(clock_.now())) {
+        watchdog::keep(0); // the boot loader starts the firmware by the watchdog
         boot_rom::become_drive();
+    }
 }
 
 void Computer::serve_until(Microseconds moment) const

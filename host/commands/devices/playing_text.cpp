@@ -15,26 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string home_text(const link::Playing& playing)
-{
-    switch (playing.home) {
-    case link::Home::built_in:
-        return "built-in";
-    case link::Home::slot:
-        return "slot";
-    default:
-        return "RAM";
-    }
-}
-
 double factor(std::int32_t speed) { return static_cast<double>(speed) / Playhead::as_authored; }
-
-std::string place_text(const link::Playing& playing)
-{
-    if (playing.home == link::Home::slot)
-        return "slot " + std::to_string(playing.slot);
-    return playing.home == link::Home::built_in ? "the built-in scene" : "the scene in RAM";
-}
 
 std::string arming_text(const link::Playing& playing)
 {
@@ -50,6 +31,25 @@ std::string arming_text(const link::Playing& playing)
 
 }
 
+std::string home_text(link::Home home)
+{
+    switch (home) {
+    case link::Home::built_in:
+        return "built-in";
+    case link::Home::slot:
+        return "slot";
+    default:
+        return "RAM";
+    }
+}
+
+std::string place_text(link::Home home, std::uint8_t slot)
+{
+    if (home == link::Home::slot)
+        return "slot " + std::to_string(slot);
+    return home == link::Home::built_in ? "the built-in scene" : "the scene in RAM";
+}
+
 Json armed_json(const link::Playing& playing)
 {
     return playing.arming == link::Arming::none ? Json() : Json(playing.arming == link::Arming::armed);
@@ -59,7 +59,7 @@ std::string playing_text(const link::Playing& playing)
 {
     if (!playing.is_playing)
         return "nothing" + arming_text(playing);
-    std::string text = place_text(playing);
+    std::string text = place_text(playing.home, playing.slot);
     if (!playing.clip.view().empty())
         text += ", clip " + visible(playing.clip.view());
     text += ", frame " + scene::text_of(playing.moment) + " of " + scene::text_of(playing.length);
@@ -73,7 +73,7 @@ Json playing_json(const link::Playing& playing)
     if (!playing.is_playing)
         return nullptr;
     return {
-        {"home", home_text(playing)},
+        {"home", home_text(playing.home)},
         {"slot", playing.home == link::Home::slot ? Json(playing.slot) : Json()},
         {"clip", playing.clip.view().empty() ? Json() : Json(playing.clip.view())},
         {"paused", playing.is_paused},

@@ -4,12 +4,17 @@
 #include "host/commands/devices/device_options.hpp"
 #include "host/link/remote_device.hpp"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
 namespace kfast {
 
+/// "built-in", "slot" or "RAM"
+std::string home_text(link::Home home);
+/// "slot 2", "the built-in scene" or "the scene in RAM"
+std::string place_text(link::Home home, std::uint8_t slot);
 /// "slot 2, frame 12.5 of 60, paused"
 std::string playing_text(const link::Playing& playing);
 /// Null if nothing plays.

@@ -69,6 +69,8 @@ void require_room(const std::string& name, const fit::Target& target,
 
 void warn_of_slowness(const std::string& name, const fit::FitReport& report)
 {
+    if (!report.hang.empty())
+        std::cerr << name << ": warning: " << report.hang << '\n';
     if (!report.slowness.empty())
         std::cerr << name << ": warning: it plays slower than it wants on this board: " << report.slowness
                   << '\n';

@@ -70,7 +70,7 @@ void add_rate(const fit::FitReport& report, std::vector<FitLine>& lines)
 {
     lines.push_back({"speed   " + fit::rate_text(1 / report.speed.median().seconds()) + ", wanted " +
                          fit::rate_text(report.wanted_rate),
-                     verdict(report.slowness.empty())});
+                     verdict(report.slowness.empty() && report.hang.empty())});
 }
 
 void add_times(const fit::FitReport& report, std::vector<FitLine>& lines)

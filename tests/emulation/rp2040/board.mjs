@@ -84,6 +84,11 @@ export class Board {
         this.#interrupted = true;
     }
 
+    /** The registers of the watchdog that its restarts leave as they are. */
+    get scratch() {
+        return this.#watchdog.scratchData;
+    }
+
     passTime(nanos) {
         this.clock.tick(nanos);
     }

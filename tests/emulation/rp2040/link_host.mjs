@@ -144,7 +144,7 @@ export class LinkHost {
         const told = this.must(kind.playing);
         return { plays: !!told.u8(2), isPaused: !!told.u8(3), home: told.u8(4), slot: told.u8(5),
             brightness: told.u8(6), inputs: told.u8(7), moment: told.i32(20), speed: told.i32(24), clip: told.text(28),
-            arming: told.u8(52) };
+            arming: told.u8(52), restarts: { count: told.u8(53), home: told.u8(54), slot: told.u8(55) } };
     }
 
     statistics() {

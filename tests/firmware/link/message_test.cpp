@@ -60,10 +60,11 @@ TEST_CASE("messages lie in their reports as the document says")
                           .moment = Time{1},
                           .speed = -65536,
                           .clip = {"up"},
-                          .arming = Arming::armed},
-                  {0x83, 0x5A, 1, 1, 1, 3, 200, 2, 64,   0,    48,  0,   0x30, 0x75, 0, 0, 0, 0xF0,
-                   0,    0,    1, 0, 0, 0, 0,   0, 0xFF, 0xFF, 'u', 'p', 0,    0,    0, 0, 0, 0,
-                   0,    0,    0, 0, 0, 0, 0,   0, 0,    0,    0,   0,   0,    0,    0, 0, 2});
+                          .arming = Arming::armed,
+                          .restarts = {.count = 2, .home = Home::ram, .slot = 5}},
+                  {0x83, 0x5A, 1, 1, 1, 3, 200, 2,    64,   0,   48,  0, 0x30, 0x75, 0, 0, 0, 0xF0, 0,
+                   0,    1,    0, 0, 0, 0, 0,   0xFF, 0xFF, 'u', 'p', 0, 0,    0,    0, 0, 0, 0,    0,
+                   0,    0,    0, 0, 0, 0, 0,   0,    0,    0,   0,   0, 0,    0,    2, 2, 2, 5});
     is_written_as(Statistics{.frames = 1, .late = 2, .skipped = 3, .link_errors = 4, .coarse = 5},
                   {0x84, 0x5A, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0, 5});
     is_written_as(Begin{.home = Home::ram, .slot = 255, .size = 0x010203, .crc = 0xA1B2C3D4, .name = {"n"}},

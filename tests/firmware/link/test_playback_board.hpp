@@ -2,6 +2,7 @@
 
 #include "firmware/link/link_service.hpp"
 #include "firmware/link/playback_session.hpp"
+#include "firmware/link/restart_notice.hpp"
 #include "firmware/run/panel_mirror.hpp"
 #include "firmware/run/run.hpp"
 #include "host/player/received_drawing.hpp"
@@ -144,12 +145,21 @@ public:
         is_drawing = false;
     }
     BoardNames names() const { return {"a board", "a panel"}; }
+    Notice notice()
+    {
+        notice_ = link::RestartNotice{restarts};
+        return notice_.notice();
+    }
+    void notice_shown() { ++notices; }
 
     const Scene& scene_begun() const { return shown_; }
     /// That the last frame showed.
     const ReceivedDrawing& drawing(std::uint32_t input) const { return drawings_.at(input); }
 
     BoardSettings settings;
+    link::Restarts restarts;
+    /// What the board has kept for the time after a restart; of the board that was used last.
+    static inline std::uint32_t kept = 0;
     Scene built_in;
     PretendFlash flash{small_flash_bytes};
     Store slots{flash, small_places};
@@ -161,6 +171,7 @@ public:
     std::vector<FrameReport> frames;
     std::vector<Error> faults;
     int scenes_begun = 0;
+    int notices = 0;
     Microseconds begun_at{};
     bool is_drawing = false;
 
@@ -177,7 +188,9 @@ private:
                                            .block = std::as_writable_bytes(std::span{block_}),
                                            .built_in = built_in,
                                            .is_dimmable = true,
-                                           .has_boot_loader = true});
+                                           .has_boot_loader = true,
+                                           .restarts = restarts,
+                                           .keep = [](std::uint32_t word) { kept = word; }});
         link_service_.emplace(pipe, *playback_, slots);
         link_service_->begin();
     }
@@ -236,6 +249,7 @@ private:
         return pixels;
     }
 
+    link::RestartNotice notice_{{}};
     MirroredPanel panel_;
     std::vector<std::uint32_t> block_;
     std::array<std::vector<std::byte>, 2> bands_{std::vector<std::byte>(8 * 128),
@@ -257,5 +271,6 @@ static_assert(InputBoard<TestPlaybackBoard>);
 static_assert(RestingBoard<TestPlaybackBoard>);
 static_assert(ListeningBoard<TestPlaybackBoard>);
 static_assert(LiveInputBoard<TestPlaybackBoard>);
+static_assert(NoticingBoard<TestPlaybackBoard>);
 
 }

@@ -40,6 +40,28 @@ class ListTest(DeviceTest):
             self.assertIn(words, text)
         self.assertEqual(self.ask("devices", "--quiet").stdout, "")
 
+    def test_a_device_tells_that_its_watchdog_has_restarted_it(self):
+        for word, text, fact in (
+                (0x4B461102, "once, while it played slot 2\n",
+                 {"restarts": 1, "home": "slot", "slot": 2, "safe_mode": False}),
+                (0x4B462102, "twice in a row, at last while it played slot 2\n"
+                             "  safe mode   plays its built-in scene; 'kfast choose' what plays at its start, or 'kfast erase 2'\n",
+                 {"restarts": 2, "home": "slot", "slot": 2, "safe_mode": True}),
+                (0x4B4630FF, "3 times in a row, at last while it played the built-in scene\n"
+                             "  safe mode   plays nothing by itself; 'kfast choose' what plays at its start\n",
+                 {"restarts": 3, "home": "built-in", "slot": None, "safe_mode": True}),
+                (0x4B4614FF, "once, before anything played\n",
+                 {"restarts": 1, "home": None, "slot": None, "safe_mode": False})):
+            self.device = ()
+            self.board(f"A{word}", "--restarts", word)
+            self.assertEqual(self.told("devices")[0]["watchdog"], fact)
+            self.assertIn(f"  restarted   by its watchdog {text}", self.ask("devices").stdout)
+
+    def test_a_device_that_nothing_has_restarted_says_nothing(self):
+        self.board()
+        self.assertIsNone(self.told("devices")[0]["watchdog"])
+        self.assertNotIn("watchdog", self.ask("devices").stdout)
+
     def test_the_rule_of_udev(self):
         rule = self.run_kfast("devices", "--udev-rule").stdout
         self.assertRegex(rule, r'(?m)^SUBSYSTEM=="hidraw", ATTRS\{idVendor\}=="[0-9a-f]{4}", ATTRS\{idProduct\}=="[0-9a-f]{4}"')
@@ -177,6 +199,15 @@ class SlotTest(DeviceTest):
         self.refused("choose", 8, status=REFUSED, says="they go from 0 to 7")
         for word in ("x", "1x", "255", ""):
             self.refused("choose", word, status=2, says="is no slot")
+
+    def test_what_would_keep_the_board_too_long_is_not_sent(self):
+        board = self.board()
+        star = " L ".join(f"{i} {9 * (i % 2)}" for i in range(10))
+        leaves = "\n".join(f'object o{i} fill=red {{ path "M {star} Z" }}' for i in range(50))
+        uses = "\n".join(f"use leaves {i % 64} {i % 48}" for i in range(200))
+        (self.folder / "heavy.kfast").write_text(f"kfast 1\ncanvas 64 48\nsymbol leaves {{\n{leaves}\n}}\n{uses}\n")
+        self.assertIn("longer than a second", self.ask("upload", "heavy.kfast", "--choose", status=1).stderr)
+        self.assertEqual(board.reports(BEGIN, CHOOSE), [])
 
     def test_upload_and_play(self):
         self.board()

@@ -84,6 +84,11 @@ TEST_CASE("a board has what the scene needs of the player, or all of it")
     CHECK_FALSE(read(whole).has_every_feature);
     CHECK_FALSE(read(with("bands", "features needed; bands")).has_every_feature);
     CHECK(read(with("bands", "features all; bands")).has_every_feature);
+    CHECK(read(whole).watchdog == 0);
+    CHECK(read(with("bands", "watchdog (s)8.3; bands")).watchdog == 8.3);
+    CHECK(read(with("bands", "watchdog (ms)250; bands")).watchdog == 0.25);
+    check_refused(with("bands", "watchdog 8; bands"), "6:14", "(s)8");
+    check_refused(with("bands", "watchdog; bands"), "6:5", "watchdog (s)8.3");
     check_refused(with("bands", "features some; bands"), "6:14", "some");
     check_refused(with("bands", "features; bands"), "6:5", "features all");
 }

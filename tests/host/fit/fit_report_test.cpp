@@ -2,10 +2,12 @@
 
 #include "host/compiler/write/header.hpp"
 #include "host/fit/scene_run.hpp"
+#include "host/fit/wording.hpp"
 #include "tests/compiled.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 namespace kfast::fit {
@@ -46,6 +48,28 @@ TEST_CASE("a picture whose outlines find no room does not fit")
     CHECK(report.slowness.empty());
     CHECK(report.reasons() == report.shortages);
     CHECK(report.speed.overfull->moment == Time::frame(20));
+}
+
+TEST_CASE("a picture that outlasts the watchdog does not fit, even if all others are fast")
+{
+    const auto bytes =
+        test::compiled("kfast 1\ncanvas 60 40 fps=1 frames=30\n"
+                       "object still fill=red { rect 0 0 9 9 }\n"
+                       "object large fill=red { circle 30 20 r=20\n"
+                       "    key 0 visible=#false; key 20 visible=#true; key 21 visible=#false }\n");
+    Target target = desk();
+    const FitReport fast = report_of(bytes, target);
+    CHECK(fast.fits());
+    const FrameCost& dearest = *std::ranges::max_element(fast.speed.frames, {}, &FrameCost::cpu_seconds);
+    CHECK(dearest.moment >= Time::frame(20));
+    const double worst = dearest.cpu_seconds;
+    target.watchdog = worst * 1.01;
+    CHECK(report_of(bytes, target).fits());
+    target.watchdog = worst * 0.99;
+    const FitReport report = report_of(bytes, target);
+    CHECK_FALSE(report.fits());
+    CHECK(report.hang.find("watchdog: frame " + frame_text(dearest.moment) + " takes ") == 0);
+    CHECK(report.reasons() == std::vector{report.hang});
 }
 
 TEST_CASE("the end of a scene that plays once is looked at")

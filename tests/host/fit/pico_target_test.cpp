@@ -20,6 +20,7 @@ TEST_CASE("a Pico has the display and the bus of its settings")
         CHECK(target.display.size == settings.panel.size());
         CHECK(target.bus.kind == BusKind::parallel_8);
         CHECK(target.bus.clock == 3e6);
+        CHECK(target.watchdog == 8.3);
     }
 }
 
@@ -35,6 +36,7 @@ TEST_CASE("a Pico with a vector display has the beam of its settings")
     CHECK(target.beam == settings.beam);
     CHECK(target.bus.kind == BusKind::dac);
     CHECK(target.bus.clock == 1e7);
+    CHECK(target.watchdog == 8.3);
 }
 
 }

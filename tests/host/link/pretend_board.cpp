@@ -35,18 +35,29 @@ struct Options {
     std::size_t silent_after = std::numeric_limits<std::size_t>::max();
     std::size_t unplugged_after = std::numeric_limits<std::size_t>::max();
     std::uint32_t microseconds = 0; ///< that a report takes
+    std::uint32_t restarts = 0;     ///< the word in which a board keeps them
 };
 
 /// Knows the scene that it is to play.
 class Board : public PretendDevice {
 public:
-    explicit Board(const Options& options) : serial_{options.serial} {}
+    explicit Board(const Options& options)
+        : serial_{options.serial}, restarts_{link::restarts_in(options.restarts).value_or(link::Restarts{})}
+    {
+    }
 
     link::DeviceFacts facts() const
     {
         link::DeviceFacts facts = PretendDevice::facts();
         facts.serial = {serial_};
+        facts.restarts = restarts_;
         return facts;
+    }
+    link::Playing playing() const
+    {
+        link::Playing playing = PretendDevice::playing();
+        playing.restarts = restarts_;
+        return playing;
     }
     Status play(const link::SceneSelection& next, const SceneView& scene)
     {
@@ -74,6 +85,7 @@ public:
 
 private:
     std::string serial_;
+    link::Restarts restarts_;
 };
 
 Microseconds time_now()
@@ -187,6 +199,7 @@ try {
     app.add_option("--silent-after", options.silent_after);
     app.add_option("--unplugged-after", options.unplugged_after);
     app.add_option("--microseconds", options.microseconds);
+    app.add_option("--restarts", options.restarts);
     CLI11_PARSE(app, count, arguments);
     kfast::test::Server{options}.serve_for_ever();
 } catch (const std::exception& error) {
