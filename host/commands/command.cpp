@@ -139,7 +139,6 @@ void declare_commands(CLI::App& kfast)
 
 int run_command_line(int count, const char* const* arguments)
 {
-    report_lack_of_memory_everywhere();
     const VisibleOutput visible_output;
     const int status = run_reported({arguments, static_cast<std::size_t>(count)});
     std::cout.flush();

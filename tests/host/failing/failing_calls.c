@@ -6,9 +6,8 @@
  * otherwise it alone does FAILING_ERROR   errno of "files": 28 for ENOSPC FAILING_REPORT  a descriptor, to
  * which the number of calls is written at the end of the program
  *
- * Calls are counted from main() on: what happens before is the loader's and the libraries'. */
+ * Calls are counted once the libraries of the program have begun, and before its own globals do. */
 #define _GNU_SOURCE
-#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -148,7 +147,7 @@ int rename(const char* from, const char* to)
     return file_fails() ? -1 : (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
 }
 
-static void begin(void)
+__attribute__((constructor)) static void begin(void)
 {
     const char* const which = getenv("FAILING_CALLS");
     first = number_in("FAILING_FROM");
@@ -165,24 +164,4 @@ __attribute__((destructor)) static void report(void)
     const int descriptor = (int)number_in("FAILING_REPORT");
     if (descriptor > 0)
         dprintf(descriptor, "%ld\n", counted);
-}
-
-typedef int main_function(int, char**, char**);
-
-static main_function* actual_main = NULL;
-
-static int counted_main(int count, char** arguments, char** environment)
-{
-    begin();
-    return actual_main(count, arguments, environment);
-}
-
-int __libc_start_main(main_function* program, int count, char** arguments, void (*set_up)(void),
-                      void (*clean_up)(void), void (*loader_end)(void), void* stack_end)
-{
-    typedef int start(main_function*, int, char**, void (*)(void), void (*)(void), void (*)(void), void*);
-    start* actual = NULL;
-    *(void**)&actual = dlsym(RTLD_NEXT, "__libc_start_main");
-    actual_main = program;
-    return actual(counted_main, count, arguments, set_up, clean_up, loader_end, stack_end);
 }
