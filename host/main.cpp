@@ -1,10 +1,14 @@
 #include "host/commands/command_line.hpp"
+#include "host/commands/lack_of_memory.hpp"
 
 #include <fcntl.h>
 #include <initializer_list>
 #include <unistd.h>
 
 namespace {
+
+/// Before the constructors of globals, CLI11's among them, for they need memory.
+[[gnu::constructor(101)]] void begin() { kfast::report_lack_of_memory_everywhere(); }
 
 /// A file that is opened must not take the place of one that whoever started the program has closed: what it
 /// prints would go there. To read or to write these fails as before.

@@ -4,12 +4,16 @@
 #include "host/commands/command_line.hpp"
 #include "host/commands/help/help_page.hpp"
 #include "host/commands/help/usage_mistake.hpp"
+#include "host/commands/lack_of_memory.hpp"
 #include "host/program/failure.hpp"
+#include "host/text/visible_output.hpp"
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -59,10 +63,20 @@ void require_command(std::span<const char* const> arguments)
         require_command_among((*chosen)->subcommands, word(2));
 }
 
+/// Needs no memory.
 int fail(const char* reason, ExitStatus status = ExitStatus::wrong_input)
 {
     std::cerr << "kfast: " << reason << '\n';
     return static_cast<int>(status);
+}
+
+/// What is asked for with --help or --version. All of it is our own.
+int print(const CLI::App& kfast, const CLI::Success& asked)
+{
+    std::ostringstream text;
+    const int status = kfast.exit(asked, text, text);
+    write_as_is(std::cout, text.view());
+    return status;
 }
 
 int parse_and_run(CLI::App& kfast, std::span<const char* const> arguments)
@@ -73,14 +87,37 @@ int parse_and_run(CLI::App& kfast, std::span<const char* const> arguments)
     try {
         require_command(arguments);
         kfast.parse(static_cast<int>(arguments.size()), arguments.data());
+    } catch (const CLI::Success& asked) {
+        return print(kfast, asked);
     } catch (const CLI::ParseError& error) {
-        return kfast.exit(error) == 0 ? 0 : static_cast<int>(ExitStatus::wrong_usage);
+        kfast.exit(error);
+        return static_cast<int>(ExitStatus::wrong_usage);
+    }
+    return 0;
+}
+
+int run_words(std::span<const char* const> arguments)
+{
+    CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
+    declare_commands(kfast);
+    const auto words = with_help_as_option(with_names_of_now(arguments, std::cerr));
+    std::vector<const char*> present(words.size());
+    std::ranges::transform(words, present.begin(), &std::string::c_str);
+    return parse_and_run(kfast, present);
+}
+
+/// Whatever is thrown becomes a message.
+int run_reported(std::span<const char* const> arguments)
+{
+    try {
+        return run_words(arguments);
     } catch (const Failure& failure) {
         return fail(failure.what(), failure.status());
     } catch (const std::bad_alloc&) {
-        return fail("not enough memory: try a smaller --size");
+        return fail(lack_of_memory);
+    } catch (const std::exception& error) {
+        return fail(error.what());
     }
-    return 0;
 }
 
 }
@@ -102,13 +139,8 @@ void declare_commands(CLI::App& kfast)
 
 int run_command_line(int count, const char* const* arguments)
 {
-    CLI::App kfast{"Vector key-frame animation for microcontroller-driven displays.", "kfast"};
-    declare_commands(kfast);
-    const auto words =
-        with_help_as_option(with_names_of_now({arguments, static_cast<std::size_t>(count)}, std::cerr));
-    std::vector<const char*> present(words.size());
-    std::ranges::transform(words, present.begin(), &std::string::c_str);
-    const int status = parse_and_run(kfast, present);
+    const VisibleOutput visible_output;
+    const int status = run_reported({arguments, static_cast<std::size_t>(count)});
     std::cout.flush();
     return std::cout ? status : fail("cannot write to standard output");
 }

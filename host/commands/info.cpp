@@ -181,9 +181,9 @@ std::string key_text(const Json& keys, const char* at)
 {
     std::ostringstream text;
     text << keys.size();
-    for (std::size_t place = 0; place < keys.size(); ++place)
+    for (std::size_t place = 0; place < std::min(keys.size(), most_listed); ++place)
         text << (place == 0 ? at : " ") << keys[place].get<double>();
-    return text.str();
+    return text.str() + rest_of_list(keys.size());
 }
 
 std::string number_text(const Json& input)

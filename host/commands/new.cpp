@@ -13,6 +13,7 @@
 #include "host/preview/terminal/half_blocks.hpp"
 #include "host/program/failure.hpp"
 #include "host/text/reported_diagnostics.hpp"
+#include "host/text/visible_output.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -164,7 +165,7 @@ void print_list(bool as_json)
         return;
     }
     if (can_play_in_terminal())
-        std::cout << template_pictures(templates);
+        write_as_is(std::cout, template_pictures(templates));
     std::cout << template_lines(templates);
 }
 

@@ -3,6 +3,7 @@
 #include "host/commands/flash/settings_choice.hpp"
 #include "host/commands/options/option_facts.hpp"
 #include "host/commands/options/output_options.hpp"
+#include "host/commands/text/json_text.hpp"
 #include "host/commands/text/table_lines.hpp"
 #include "host/config/configurations.hpp"
 #include "host/config/firmware_images.hpp"
@@ -10,7 +11,6 @@
 #include "host/config/setting_words.hpp"
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace kfast {
@@ -56,7 +56,7 @@ std::string json_text(const BoardSettings& settings, std::span<const config::Con
                     {"bus", config::word_of(settings.bus)},
                     {"firmware", config::image_of(settings.bus)},
                     {"connections", connections}};
-    return json.dump(2) + '\n';
+    return kfast::json_text(json);
 }
 
 TableRow cells_of(const config::Connection& wire)

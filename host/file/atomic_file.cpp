@@ -31,9 +31,7 @@ constexpr std::array ending_signals{SIGHUP, SIGINT, SIGTERM};
 
 extern "C" void remove_and_end(int number)
 {
-    for (const auto& path : paths_to_remove)
-        if (path.front() != '\0')
-            ::unlink(path.data());
+    remove_unfinished_files();
     std::signal(number, SIG_DFL);
     std::raise(number);
 }
@@ -97,6 +95,28 @@ fs::path behind_links(const fs::path& path)
     return error ? path : real;
 }
 
+/// Whether `descriptor` could be brought to the disk, as far as what it is can be: errno says why not.
+bool is_synchronized(int descriptor)
+{
+    while (::fsync(descriptor) != 0)
+        if (errno != EINTR)
+            return errno == EINVAL || errno == ENOTSUP;
+    return true;
+}
+
+/// The names in it. A folder that may be written to and not read stays as it is.
+bool is_folder_synchronized(const fs::path& folder)
+{
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return errno == EACCES;
+    const bool is_done = is_synchronized(descriptor);
+    const int error_number = errno;
+    ::close(descriptor);
+    errno = error_number;
+    return is_done;
+}
+
 fs::path temporary_name(const fs::path& target, int attempt)
 {
     return target.parent_path() /
@@ -157,12 +177,12 @@ void AtomicFile::open_special()
 void AtomicFile::open_temporary()
 {
     for (int attempt = 0; !temporary_; ++attempt) {
-        const fs::path name = temporary_name(target_, attempt);
+        fs::path name = temporary_name(target_, attempt);
         remove_on_signal(name);
         descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         const int error_number = errno;
         if (descriptor_ >= 0)
-            temporary_ = name;
+            temporary_ = std::move(name); // a copy could fail, and nobody would remove the file
         else
             keep_on_signal(name);
         if (!temporary_ && error_number != EEXIST)
@@ -185,14 +205,19 @@ void AtomicFile::commit()
     finish();
     if (!temporary_)
         return;
+    const fs::path folder = target_.parent_path();
     if (std::rename(temporary_->c_str(), target_.c_str()) != 0)
         fail(errno);
     keep_on_signal(*temporary_);
     temporary_.reset();
+    if (!is_folder_synchronized(folder))
+        fail(errno);
 }
 
 void AtomicFile::finish()
 {
+    if (descriptor_ >= 0 && temporary_ && !is_synchronized(descriptor_))
+        fail(errno);
     const int descriptor = std::exchange(descriptor_, -1);
     if (descriptor >= 0 && ::close(descriptor) != 0)
         fail(errno);
@@ -202,6 +227,13 @@ void AtomicFile::fail(int error_number) const
 {
     throw Failure("cannot write " + target_.string() + ": " + std::strerror(error_number) + ": " +
                   hint(error_number));
+}
+
+void remove_unfinished_files() noexcept
+{
+    for (const auto& path : paths_to_remove)
+        if (path.front() != '\0')
+            ::unlink(path.data());
 }
 
 void write_file(const fs::path& target, std::span<const std::byte> bytes)

@@ -11,8 +11,13 @@ namespace kfast {
 /// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever was
 /// at `target` stays as it was. At most four at a time.
 ///
+/// What commit() has renamed is on the disk, and the new name as well, when it returns: after a loss of power
+/// there is either the old content or the new one. A file system that cannot synchronize a folder does as it
+/// does.
+///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
-/// destructor throws Failure when the disk is full, the folder is not writable and so on.
+/// destructor throws Failure, which names `target`, when the disk is full, the folder is not writable and so
+/// on.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::filesystem::path& target);
@@ -38,6 +43,10 @@ private:
     std::optional<std::filesystem::path> temporary_;
     int descriptor_ = -1;
 };
+
+/// For a program that ends at once: removes what was not committed. Needs no memory, and may be called by the
+/// handler of a signal.
+void remove_unfinished_files() noexcept;
 
 /// Writes all of a file at once. Throws Failure.
 void write_file(const std::filesystem::path& target, std::span<const std::byte> bytes);

@@ -11,16 +11,21 @@ namespace {
 
 constexpr std::size_t indent_width = 4;
 
+std::string canonical_form(std::string_view text)
+{
+    return is_identifier(text) ? std::string(text) : '"' + escaped(text, Unseen::as_they_are) + '"';
+}
+
 struct DataForm {
     std::string operator()(Null) const { return "#null"; }
     std::string operator()(bool value) const { return value ? "#true" : "#false"; }
     std::string operator()(const Number& number) const { return number.canonical; }
-    std::string operator()(const std::string& text) const { return string_form(text); }
+    std::string operator()(const std::string& text) const { return canonical_form(text); }
 };
 
 std::string type_form(const std::optional<std::string>& type)
 {
-    return type ? '(' + string_form(*type) + ')' : std::string{};
+    return type ? '(' + canonical_form(*type) + ')' : std::string{};
 }
 
 std::string value_form(const Value& value)
@@ -41,11 +46,11 @@ void append_nodes(std::string& text, const std::vector<Node>& nodes, std::size_t
 
 void append_node(std::string& text, const Node& node, std::size_t indent)
 {
-    text += std::string(indent, ' ') + type_form(node.type) + string_form(node.name);
+    text += std::string(indent, ' ') + type_form(node.type) + canonical_form(node.name);
     for (const Value& argument : node.arguments)
         text += ' ' + value_form(argument);
     for (const Property* property : by_name(node.properties))
-        text += ' ' + string_form(property->name) + '=' + value_form(property->value);
+        text += ' ' + canonical_form(property->name) + '=' + value_form(property->value);
     if (!node.children.empty()) {
         text += " {\n";
         append_nodes(text, node.children, indent + indent_width);
@@ -64,7 +69,8 @@ void append_nodes(std::string& text, const std::vector<Node>& nodes, std::size_t
 
 std::string string_form(std::string_view text)
 {
-    return is_identifier(text) ? std::string(text) : '"' + escaped(text) + '"';
+    const std::string quoted = escaped(text, Unseen::as_codes);
+    return is_identifier(text) && quoted == text ? quoted : '"' + quoted + '"';
 }
 
 std::string canonical(const Document& document)

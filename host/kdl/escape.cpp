@@ -84,16 +84,19 @@ bool read_letter_escape(Scanner& scanner, std::size_t begin, std::string& text)
 }
 
 /// Code points that are not allowed in a quoted string of one line and have no escape letter of their own.
-bool needs_code(char32_t point) { return is_newline(point) || is_disallowed(point); }
+bool needs_code(char32_t point, Unseen unseen)
+{
+    return is_newline(point) || is_disallowed(point) || (unseen == Unseen::as_codes && !is_printable(point));
+}
 
-void append_escaped(std::string& into, CodePoint point)
+void append_escaped(std::string& into, CodePoint point, Unseen unseen)
 {
     const auto escape = std::ranges::find_if(escapes, [&](Escape e) {
         return e.letter != 's' && point.value == static_cast<unsigned char>(e.meaning);
     });
     if (escape != escapes.end()) {
         into += {'\\', escape->letter};
-    } else if (needs_code(point.value)) {
+    } else if (needs_code(point.value, unseen)) {
         std::array<char, 16> code{};
         std::snprintf(code.data(), code.size(), "\\u{%x}", static_cast<unsigned>(point.value));
         into += code.data();
@@ -117,11 +120,11 @@ bool read_escape(Scanner& scanner, std::string& text)
     return read_letter_escape(scanner, begin, text);
 }
 
-std::string escaped(std::string_view text)
+std::string escaped(std::string_view text, Unseen unseen)
 {
     std::string result;
     for (std::size_t at = 0; at < text.size(); at += code_point_at(text, at).length)
-        append_escaped(result, code_point_at(text, at));
+        append_escaped(result, code_point_at(text, at), unseen);
     return result;
 }
 

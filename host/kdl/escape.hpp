@@ -11,7 +11,10 @@ namespace kfast::kdl {
 /// for escaped white space. An error is reported and false returned; the string can be read on after it.
 bool read_escape(Scanner& scanner, std::string& text);
 
-/// `text` as the inside of a quoted string of canonical form.
-std::string escaped(std::string_view text);
+/// How characters are written that KDL allows and that are not printable (is_printable()).
+enum class Unseen { as_they_are, as_codes };
+
+/// `text` as the inside of a quoted string; that of canonical form has unseen characters as they are.
+std::string escaped(std::string_view text, Unseen unseen);
 
 }

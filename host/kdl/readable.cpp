@@ -1,6 +1,7 @@
 #include "host/kdl/readable.hpp"
 
 #include "host/kdl/canonical.hpp"
+#include "host/kdl/escape.hpp"
 
 #include <algorithm>
 
@@ -13,6 +14,13 @@ constexpr std::size_t widest_line = 110;
 std::string indentation(std::size_t depth) { return std::string(depth * indent_width, ' '); }
 
 bool has_lines(const std::string& text) { return text.find('\n') != std::string::npos; }
+
+/// Whether nothing in it but the ends of its lines needs an escape.
+bool is_plain(std::string text)
+{
+    std::ranges::replace(text, '\n', ' ');
+    return escaped(text, Unseen::as_codes) == text;
+}
 
 std::string lines_form(const std::string& text, std::size_t depth)
 {
@@ -33,7 +41,7 @@ struct DataForm {
     std::string operator()(const Number& number) const { return number.canonical; }
     std::string operator()(const std::string& text) const
     {
-        return has_lines(text) ? lines_form(text, depth) : string_form(text);
+        return has_lines(text) && is_plain(text) ? lines_form(text, depth) : string_form(text);
     }
 };
 

@@ -10,7 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <poll.h>
 #include <random>
@@ -168,14 +170,29 @@ namespace {
 
 using Failures = std::vector<std::optional<Failure>>;
 
-std::optional<Failure> failure_of(const std::function<void()>& act)
+/// What a thread must not end the program with; needs no memory, of which there may be none.
+std::exception_ptr thrown_by(const std::function<void()>& act)
 {
     try {
         act();
+        return nullptr;
+    } catch (...) {
+        return std::current_exception();
+    }
+}
+
+/// Throws std::bad_alloc, which no device is to blame for.
+std::optional<Failure> failure_of(const std::exception_ptr& thrown)
+{
+    if (!thrown)
         return std::nullopt;
+    try {
+        std::rethrow_exception(thrown);
     } catch (const Failure& failure) {
         return failure;
-    } catch (const std::exception& error) { // must not end the program from a thread
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
         return Failure{error.what()};
     }
 }
@@ -209,13 +226,15 @@ void report(const Failures& failures, std::span<const RemoteDevice> devices)
 
 void on_each(std::span<RemoteDevice> devices, const std::function<void(RemoteDevice&, std::size_t)>& act)
 {
-    Failures failures(devices.size());
+    std::vector<std::exception_ptr> thrown(devices.size());
     {
         std::vector<std::jthread> threads;
         for (std::size_t index = 0; index < devices.size(); ++index)
             threads.emplace_back(
-                [&, index] { failures[index] = failure_of([&] { act(devices[index], index); }); });
+                [&, index] { thrown[index] = thrown_by([&] { act(devices[index], index); }); });
     }
+    Failures failures(devices.size());
+    std::ranges::transform(thrown, failures.begin(), failure_of);
     report(failures, devices);
 }
 

@@ -56,8 +56,8 @@ public:
     std::string line(SourceSpan place) const;
 
 private:
-    static constexpr std::size_t max_errors = 100;
-    static constexpr std::size_t max_warnings = 100;
+    static constexpr std::size_t max_errors = 99; ///< with the last word, what is shown in full
+    static constexpr std::size_t max_warnings = 99;
 
     const SourceText& source_;
     Diagnostics& diagnostics_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 namespace kfast {
 
@@ -78,11 +79,18 @@ bool is_in(const auto& ranges, char32_t value)
     return std::ranges::any_of(ranges, [=](Range r) { return r.first <= value && value <= r.last; });
 }
 
-Glyph as_code(const char* pattern, char32_t value)
+std::string code_of(const char* pattern, char32_t value)
 {
     std::array<char, 16> code{};
-    const int length = std::snprintf(code.data(), code.size(), pattern, static_cast<unsigned>(value));
-    return {.text = code.data(), .columns = static_cast<std::size_t>(length)};
+    std::snprintf(code.data(), code.size(), pattern, static_cast<unsigned>(value));
+    return code.data();
+}
+
+Glyph as_code(const char* pattern, char32_t value)
+{
+    std::string code = code_of(pattern, value);
+    const std::size_t columns = code.size();
+    return {.text = std::move(code), .columns = columns};
 }
 
 std::size_t columns(char32_t value)
@@ -94,13 +102,15 @@ std::size_t columns(char32_t value)
 
 }
 
+bool is_printable(char32_t value) { return !is_in(unprintable, value); }
+
 Glyph glyph(CodePoint point)
 {
     if (!point.valid)
         return as_code("<0x%02X>", point.value);
     if (point.value == '\t')
         return {.text = "    ", .columns = 4};
-    if (is_in(unprintable, point.value))
+    if (!is_printable(point.value))
         return as_code("<U+%04X>", point.value);
     Glyph printable{.text = {}, .columns = columns(point.value)};
     append_utf8(printable.text, point.value);
@@ -113,6 +123,20 @@ std::string visible(std::string_view text)
     for (std::size_t at = 0; at < text.size(); at += code_point_at(text, at).length)
         shown += glyph(code_point_at(text, at)).text;
     return shown;
+}
+
+std::string printable_json(std::string_view json)
+{
+    std::string text;
+    for (std::size_t at = 0; at < json.size();) {
+        const CodePoint point = code_point_at(json, at);
+        if (point.value == '\n' || is_printable(point.value))
+            text += json.substr(at, point.length);
+        else
+            text += code_of("\\u%04x", point.value); // none is above U+FFFF
+        at += point.length;
+    }
+    return text;
 }
 
 std::string in_quotes(std::string_view text)

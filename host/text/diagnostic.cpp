@@ -12,9 +12,8 @@ namespace {
 
 constexpr std::size_t gutter_digits = 4;
 
-std::string headline(const Diagnostic& diagnostic, const SourceText& source)
+std::string headline(const Diagnostic& diagnostic, const SourceText& source, LineColumn at)
 {
-    const LineColumn at = line_column(source.text, diagnostic.place.offset);
     return visible(source.name) + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) +
            (diagnostic.severity == Severity::error ? ": error: " : ": warning: ") +
            visible(diagnostic.message) + '\n';
@@ -49,17 +48,31 @@ std::vector<Diagnostic> Diagnostics::sorted() const
     return all;
 }
 
-std::string format(const Diagnostic& diagnostic, const SourceText& source)
+namespace {
+
+std::string format_at(LineColumn at, const Diagnostic& diagnostic, const SourceText& source)
 {
     const auto [line, marks] = excerpt(source.text, diagnostic.place);
-    const std::string number = std::to_string(line_column(source.text, diagnostic.place.offset).line);
+    const std::string number = std::to_string(at.line);
     const std::string gutter(std::max(gutter_digits, number.size()) + 1, ' ');
-    std::string text = headline(diagnostic, source);
+    std::string text = headline(diagnostic, source, at);
     text += right_aligned(number, gutter_digits) + " | " + line + '\n';
     text += gutter + "| " + marks + '\n';
     if (!diagnostic.hint.empty())
         text += gutter + "= help: " + visible(diagnostic.hint) + '\n';
     return text;
+}
+
+}
+
+std::string format(const Diagnostic& diagnostic, const SourceText& source)
+{
+    return format_at(line_column(source.text, diagnostic.place.offset), diagnostic, source);
+}
+
+std::string format(const Diagnostic& diagnostic, const SourceText& source, const Places& places)
+{
+    return format_at(places.line_column(diagnostic.place.offset), diagnostic, source);
 }
 
 }

@@ -24,6 +24,7 @@ public:
     void warning(SourceSpan place, std::string message, std::string hint = {});
 
     bool has_errors() const;
+    const std::vector<Diagnostic>& in_order_found() const { return entries_; }
     /// In the order of their locations.
     std::vector<Diagnostic> sorted() const;
 
@@ -34,5 +35,7 @@ private:
 /// One diagnostic for a terminal: `name:line:column: error: message`, the line itself, a caret under the
 /// location, and the hint. Long lines are cut around it; control characters are made visible.
 std::string format(const Diagnostic& diagnostic, const SourceText& source);
+/// The same for one of many; `places` are those of the text.
+std::string format(const Diagnostic& diagnostic, const SourceText& source, const Places& places);
 
 }

@@ -22,8 +22,9 @@ using Reporter = std::function<DiagnosticCount(const Diagnostics& diagnostics, c
 
 DiagnosticCount count(const Diagnostics& diagnostics);
 
-/// Prints all diagnostics to `out`, in the order of their locations: in colour when that is standard error, a
-/// terminal, and NO_COLOR is not set.
+/// Prints diagnostics to `out`, in the order of their locations: in colour when that is standard error, a
+/// terminal, and NO_COLOR is not set. Of more than 100 the last line says how many others there are; errors
+/// rather than warnings are printed in full. Returns how many there are in all.
 DiagnosticCount report(const Diagnostics& diagnostics, const SourceText& source,
                        std::ostream& out = std::cerr);
 

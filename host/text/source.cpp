@@ -3,6 +3,7 @@
 #include "host/text/characters.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace kfast {
 
@@ -51,6 +52,49 @@ LineColumn line_column(std::string_view text, std::size_t offset)
     return {.line = 1 + lines_ended_before(text, begin), .column = column_of(text, begin, offset)};
 }
 
+namespace {
+
+constexpr std::size_t between_marks = 256;
+
+}
+
+Places::Places(std::string_view text) : text_{text}
+{
+    Position position;
+    marks_.push_back(position);
+    while (position.offset < text.size()) {
+        position = behind(position);
+        if (position.offset >= marks_.back().offset + between_marks)
+            marks_.push_back(position);
+    }
+}
+
+/// Behind the code point that begins there.
+Places::Position Places::behind(Position position) const
+{
+    const CodePoint point = code_point_at(text_, position.offset);
+    position.offset += point.length;
+    if (line_ends_before(text_, position.offset))
+        return {position.offset, {position.place.line + 1, 1}, 0};
+    ++position.place.column;
+    position.code_units += point.value > 0xFFFF ? 2 : 1;
+    return position;
+}
+
+/// Of the code point that contains `offset`.
+Places::Position Places::at(std::size_t offset) const
+{
+    offset = std::min(offset, text_.size());
+    Position position = *std::prev(std::ranges::upper_bound(marks_, offset, {}, &Position::offset));
+    while (position.offset < offset) {
+        const Position next = behind(position);
+        if (next.offset > offset)
+            break;
+        position = next;
+    }
+    return position;
+}
+
 std::string_view line_at(std::string_view text, std::size_t offset)
 {
     offset = std::min(offset, text.size());
@@ -85,8 +129,6 @@ std::string_view beginning(std::string_view text, std::size_t room_left)
     }
     return text.substr(0, at);
 }
-
-bool continues_sequence(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
 /// A suffix of `text` that fits. Looks at the last few bytes only, for a line may be a whole file.
 std::string_view ending(std::string_view text, std::size_t room_left)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast {
 
@@ -30,6 +31,31 @@ struct LineColumn {
 
 /// Lines end with LF, CR LF or a lone CR, as editors count them. An offset beyond the end means the end.
 LineColumn line_column(std::string_view text, std::size_t offset);
+
+/// The same for many places in a text, which it goes through once: a place takes as long in a long text as in
+/// a short one.
+class Places {
+public:
+    /// `text` must outlive it.
+    explicit Places(std::string_view text);
+
+    LineColumn line_column(std::size_t offset) const { return at(offset).place; }
+    /// In UTF-16, from 0, as the Language Server Protocol counts.
+    std::size_t code_units(std::size_t offset) const { return at(offset).code_units; }
+
+private:
+    struct Position {
+        std::size_t offset = 0;
+        LineColumn place = {};
+        std::size_t code_units = 0; ///< of the line before it
+    };
+
+    Position behind(Position position) const;
+    Position at(std::size_t offset) const;
+
+    std::string_view text_;
+    std::vector<Position> marks_; ///< every few hundred bytes
+};
 
 /// The whole line that contains `offset`, without its end. An offset beyond the end means the end.
 std::string_view line_at(std::string_view text, std::size_t offset);

@@ -62,7 +62,7 @@ SentScene::SentScene(const SceneFile& scene, std::span<RemoteDevice> devices, co
         on_each(devices, [&](RemoteDevice& device, std::size_t index) {
             tags_[index] = upload_scene(device.session(), begin, scene.bytes, bar.of_device(index));
         });
-    } catch (const Failure&) {
+    } catch (...) {
         for (std::size_t index = 0; index < devices.size(); ++index)
             if (tags_[index])
                 take_back(devices[index], *tags_[index]);
@@ -75,7 +75,7 @@ void SentScene::play(std::size_t index, const link::Name& clip) const
     RemoteDevice& device = devices_[index];
     try {
         device.session().order(link::Play{.home = link::Home::ram, .clip = clip}, patience_to_begin);
-    } catch (const Failure&) {
+    } catch (...) {
         take_back(device, *tags_[index]);
         throw;
     }

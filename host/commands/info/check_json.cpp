@@ -1,7 +1,7 @@
 #include "host/commands/info/check_json.hpp"
 
 #include "host/commands/text/json_text.hpp"
-#include "host/text/characters.hpp"
+#include "host/text/source.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,37 +13,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json place_of(std::string_view text, std::size_t offset)
+Json place_of(const Places& places, std::size_t offset)
 {
-    const LineColumn at = line_column(text, offset);
+    const LineColumn at = places.line_column(offset);
     return {{"line", at.line}, {"column", at.column}};
 }
 
 /// As in the Language Server Protocol: lines and UTF-16 code units from 0.
-Json position_of(std::string_view text, std::size_t offset)
+Json position_of(const Places& places, std::size_t offset)
 {
-    offset = std::min(offset, text.size());
-    const std::string_view line = line_at(text, offset);
-    const auto begin = static_cast<std::size_t>(line.data() - text.data());
-    std::size_t units = 0;
-    for (std::size_t at = begin; at < offset;) {
-        const CodePoint point = code_point_at(text, at);
-        units += point.value > 0xFFFF ? 2 : 1;
-        at += point.length;
-    }
-    return {{"line", line_column(text, offset).line - 1}, {"character", units}};
+    return {{"line", places.line_column(offset).line - 1}, {"character", places.code_units(offset)}};
 }
 
-Json json_of(const Diagnostic& diagnostic, std::string_view text)
+Json json_of(const Diagnostic& diagnostic, std::string_view text, const Places& places)
 {
     const std::size_t begin = std::min(diagnostic.place.offset, text.size());
     const std::size_t end = std::min(begin + diagnostic.place.length, text.size());
     return {{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
             {"message", diagnostic.message},
             {"remedy", diagnostic.hint},
-            {"begin", place_of(text, begin)},
-            {"end", place_of(text, end)},
-            {"range", {{"start", position_of(text, begin)}, {"end", position_of(text, end)}}},
+            {"begin", place_of(places, begin)},
+            {"end", place_of(places, end)},
+            {"range", {{"start", position_of(places, begin)}, {"end", position_of(places, end)}}},
             {"bytes", {{"offset", begin}, {"length", end - begin}}}};
 }
 
@@ -57,9 +48,10 @@ Json json_of(const art::Loss& loss)
 
 Json json_of(const CheckedFile& file)
 {
+    const Places places{file.text};
     Json diagnostics = Json::array();
     for (const Diagnostic& diagnostic : file.diagnostics.sorted())
-        diagnostics.push_back(json_of(diagnostic, file.text));
+        diagnostics.push_back(json_of(diagnostic, file.text, places));
     Json losses = Json::array();
     for (const art::Loss& loss : file.losses.list())
         losses.push_back(json_of(loss));

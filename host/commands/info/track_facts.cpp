@@ -54,6 +54,12 @@ std::string value_text(const Json& value)
     return value.is_string() ? value.get<std::string>() : rounded_text(value.get<double>());
 }
 
+std::string written_key(const Json& key, bool has_law)
+{
+    const std::string text = rounded_text(key["at"].get<double>()) + ' ' + value_text(key["value"]);
+    return has_law && key.contains("law") ? text + ' ' + key["law"].get<std::string>() : text;
+}
+
 /// The law between all keys, if it is the same.
 std::string common_law(const Json& keys)
 {
@@ -86,14 +92,10 @@ std::string track_text(const Json& facts)
     std::string text =
         facts.contains("input") ? "by " + visible(facts["input"].get<std::string>()) + ", " : "";
     text += law.empty() ? "" : law + ": ";
-    const char* separator = "";
-    for (const Json& key : facts["keys"]) {
-        text += separator + rounded_text(key["at"].get<double>()) + ' ' + value_text(key["value"]);
-        if (law.empty() && key.contains("law"))
-            text += ' ' + key["law"].get<std::string>();
-        separator = ", ";
-    }
-    return text;
+    const Json& keys = facts["keys"];
+    for (std::size_t place = 0; place < std::min(keys.size(), most_listed); ++place)
+        text += (place == 0 ? "" : ", ") + written_key(keys[place], law.empty());
+    return text + rest_of_list(keys.size());
 }
 
 void add_input(const SceneView& scene, Driver clock, Json& facts)

@@ -1,28 +1,47 @@
 #include "host/commands/text/progress.hpp"
 
+#include "host/text/visible_output.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <iostream>
+#include <string_view>
 #include <unistd.h>
 
 namespace kfast {
+
+namespace {
+
+/// In place of what stands on the last line, which is `width` wide. Needs no memory, for destructors.
+void write_over(std::string_view text, std::size_t width)
+{
+    write_as_is(std::cerr, "\r");
+    std::cerr << text;
+    if (width > text.size())
+        std::cerr << std::setw(static_cast<int>(width - text.size())) << "";
+    std::cerr << std::flush;
+}
+
+}
 
 StatusLine::StatusLine() : is_seen_{::isatty(STDERR_FILENO) == 1} {}
 
 StatusLine::~StatusLine()
 {
-    if (width_ != 0)
-        std::cerr << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+    if (width_ == 0)
+        return;
+    write_over("", width_);
+    write_as_is(std::cerr, "\r");
 }
 
 void StatusLine::show(const std::string& text)
 {
     if (!is_seen_)
         return;
-    const std::size_t left_over = width_ > text.size() ? width_ - text.size() : 0;
-    std::cerr << '\r' << text << std::string(left_over, ' ') << std::flush;
+    write_over(text, width_);
     width_ = text.size();
 }
 

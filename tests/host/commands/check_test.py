@@ -1,6 +1,7 @@
 """`kfast check`: several files, standard input, and diagnostics for editors."""
 
 import json
+import resource
 import shutil
 import subprocess
 import unittest
@@ -8,6 +9,8 @@ import unittest
 from command_case import KFAST, ROOT, CommandTest
 
 WRONG = 'kfast 1\ncanvas 60 40\n// 🎈 ü\nobject dot fill=whit { text "🎈ü" at="1,1" size=9 }\n'
+
+MOST_SECONDS = 10  # of processor time; half a second, but with sanitizers
 
 
 class CheckTest(CommandTest):
@@ -96,6 +99,26 @@ object outside fill=white { rect 60 0 9 9 }
         result = self.run_kfast("check", "half.kfast")
         self.assertIn("half.kfast:4:1: warning: on a panel, no frame shows anything of this\n", result.stderr)
         self.assertTrue(result.stdout.endswith(", 1 warning\n"), result.stdout)
+
+    def test_of_many_warnings_a_hundred_are_shown(self):
+        text = "kfast 1\ncanvas 60 40\n" + "".join(
+            f"object o{number} fill=red opacity=0 {{ rect 1 1 9 9 }}\n" for number in range(30_000))
+        self.write("hidden.kfast", text)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        result = self.run_kfast("check", "hidden.kfast")
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, MOST_SECONDS)
+        self.assertEqual(result.stderr.count(": warning: "), 100)
+        self.assertIn("hidden.kfast:102:1: warning: ", result.stderr)
+        self.assertTrue(result.stderr.endswith("\nhidden.kfast: ... and 29900 warnings more\n"), result.stderr[-200:])
+        self.assertTrue(result.stdout.endswith(", 30000 warnings\n"), result.stdout)
+        (file,) = self.json("hidden.kfast")
+        self.assertEqual(len(file["diagnostics"]), 30_000)
+        self.assertEqual(file["diagnostics"][-1]["begin"], {"line": 30_002, "column": 1})
+
+    def test_errors_rather_than_warnings(self):
+        scene = "kfast 1\ncanvas 60 40\n" + "object a fill=red { path \"\" }\n" * 150 + "what\n"
+        self.write("wrong.kfast", scene)
+        self.assertIn("wrong.kfast:153:1: error: ", self.run_kfast("check", "wrong.kfast", status=1).stderr)
 
     def test_several_files(self):
         self.write("wrong.kfast", WRONG)

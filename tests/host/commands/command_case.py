@@ -71,7 +71,7 @@ class CommandTest(unittest.TestCase):
         self.assertTrue(result.stderr.endswith("\n"))
         self.assertEqual(sorted(self.folder.rglob("*")), before, "a refused command leaves no file")
 
-    def written_to_a_terminal(self, *arguments, stream="stderr", columns=80, environment=None):
+    def written_to_a_terminal(self, *arguments, stream="stderr", columns=80, environment=None, status=0):
         """On one of the two streams."""
         master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 40, columns, 0, 0))
@@ -85,7 +85,7 @@ class CommandTest(unittest.TestCase):
             except OSError:  # the other end is closed
                 break
         os.close(master)
-        self.assertEqual(player.wait(timeout=120), 0)
+        self.assertEqual(player.wait(timeout=120), status)
         return written.decode()
 
     def compiled(self):

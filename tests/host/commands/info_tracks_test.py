@@ -166,6 +166,19 @@ class BoneTracksTest(CommandTest):
         self.assertEqual(arm["tracks"][3]["keys"][2], {"at": 30, "value": 18, "law": "constant"})
         self.assertEqual(wheel["bones"][0]["tracks"][0]["keys"][1], {"at": 5.5, "value": -720})
 
+    def test_a_long_list_is_cut(self):
+        keys = "; ".join(f"at {number} {number % 7}" for number in range(8000))
+        (self.folder / "long.kfast").write_text(
+            "kfast 1\ncanvas 60 40 fps=30 frames=8000\ninput level min=0 max=8000\n"
+            f"object a fill=red {{ rect 0 0 9 9; track x {{ {keys} }}; track y input=level {{ {keys} }} }}\n")
+        text = self.run_kfast("info", "--tracks", "long.kfast").stdout
+        self.assertLess(max(map(len, text.splitlines())), 2000)
+        self.assertEqual(len(re.findall(r"(?m)^  keys        8000, at frames 0 1 2 .* 99 \.\.\. and 7900 more$", text)), 1)
+        self.assertIn(", 98 0, 99 1 ... and 7900 more\n", text)
+        self.assertEqual(text.count(" ... and 7900 more\n"), 4)
+        facts = json.loads(self.run_kfast("info", "--tracks", "--json", "long.kfast").stdout)
+        self.assertEqual((len(facts["keys"]), len(facts["tracks"]["items"][0]["tracks"][0]["keys"])), (8000, 8000))
+
 
 if __name__ == "__main__":
     unittest.main()

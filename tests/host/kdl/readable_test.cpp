@@ -62,4 +62,11 @@ TEST_CASE("texts of several lines keep them")
           "key 0 {\n    path \"\"\"\n        M 0 0\n        L 5 5\n        \"\"\"\n}\n");
 }
 
+TEST_CASE("what nobody would see is written as codes")
+{
+    CHECK(written("\"a\\u{200b}b\" \"\\u{9b}\" x=\"\\u{1b}\"") ==
+          "\"a\\u{200b}b\" \"\\u{9b}\" x=\"\\u{1b}\"\n");
+    CHECK(written("path \"a\\n\\u{9b}\"") == "path \"a\\n\\u{9b}\"\n");
+}
+
 }

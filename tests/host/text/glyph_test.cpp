@@ -15,6 +15,12 @@ TEST_CASE("nothing that steers a terminal gets through")
     CHECK(visible(std::string_view{"\0", 1}) == "<U+0000>");
 }
 
+TEST_CASE("JSON keeps its meaning and has nothing that steers a terminal")
+{
+    CHECK(printable_json("{\n  \"a\": \"ä😀\\u001b\u009B\u202E\x7F\"\n}") ==
+          "{\n  \"a\": \"ä😀\\u001b\\u009b\\u202e\\u007f\"\n}");
+}
+
 TEST_CASE("a glyph knows its columns")
 {
     CHECK(glyph({.value = 'a'}).columns == 1);

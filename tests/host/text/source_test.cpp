@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <random>
+
 using namespace kfast;
 
 namespace {
@@ -55,4 +58,29 @@ TEST_CASE("the line that holds an offset comes without its end")
     CHECK(line_at("ab\r\ncd\n", 4) == "cd");
     CHECK(line_at("ab\rcd", 3) == "cd");
     CHECK(line_at("", 0) == "");
+}
+
+TEST_CASE("many places are found as single ones are")
+{
+    std::mt19937 random{1};
+    std::string text;
+    for (int left = 3000; left > 0; --left)
+        text += std::array<std::string_view, 9>{
+            "a", "bc", "\n", "\r", "\r\n", "ä", "😀", "\xFF", "\xF0\x9F"}[random() % 9];
+    const Places places{text};
+    for (std::size_t offset = 0; offset <= text.size() + 2; ++offset) {
+        const LineColumn at = places.line_column(offset);
+        CHECK(std::to_string(at.line) + ':' + std::to_string(at.column) == where(text, offset));
+    }
+}
+
+TEST_CASE("in UTF-16 a character beyond the first plane is two code units")
+{
+    const std::string_view text = "ä😀x\n😀";
+    const Places places{text};
+    CHECK(places.code_units(0) == 0);
+    CHECK(places.code_units(2) == 1);
+    CHECK(places.code_units(6) == 3);
+    CHECK(places.code_units(8) == 0);
+    CHECK(places.code_units(99) == 2);
 }
