@@ -73,13 +73,13 @@ class FileNameTest(VisibleTest):
             self.shown(command, "once.kfast", "-o", b"no/" + EVIL_BYTES)
 
     def test_files_with_such_names(self):
-        for ending in (b".kfast", b".kfb", b".svg", b".json", b".txt"):
-            name = EVIL_BYTES + ending
-            for content in ("", "\0", "kfast 1", "KFB", "<svg", "{}", SVG.format(evil="a", tag="b"), (self.folder / "once.kfast").read_text()):
-                self.write(name, content)
-                for command in ("check", "info", "fit", "hash"):
-                    self.shown(command, name)
-                self.shown("check", "--json", name)
+        name = EVIL_BYTES + b".kfast"
+        whole = (self.folder / "once.kfast").read_text()
+        for content in ("", "\0", "kfast 1", "KFB", "<svg", "{}", SVG.format(evil="a", tag="b"), whole):
+            self.write(name, content)
+            for command in ("check", "info", "fit", "hash"):
+                self.shown(command, name)
+            self.shown("check", "--json", name)
         self.evil("compile", "once.kfast", "-o", EVIL_BYTES + b".kfb")
         self.evil("info", EVIL_BYTES + b".kfb")
         self.evil("render", "once.kfast", "-o", EVIL_BYTES + b".png")
@@ -114,11 +114,10 @@ class ContentTest(VisibleTest):
                      f'kfast 1\ncanvas 60 40\n"{ESCAPED}" "{ESCAPED}"="{ESCAPED}" {{ "{ESCAPED}" }}\n',
                      f'kfast 1\ncanvas 60 40 {EVIL} fps={EVIL}\n', f'kfast 1\ncanvas 60 40 "\\{EVIL}"\n', f"{EVIL}", f"kfast {EVIL}",
                      f'kfast 1\ncanvas 60 40\nsymbol s {{ }}\nuse "{ESCAPED}"\nobject a fill=red skin="{ESCAPED}" {{ }}\n'):
-            for name in ("evil.kfast", EVIL + ".kfast"):
-                self.write(name, text)
-                for command in ("check", "compile", "info", "fit"):
-                    self.shown(command, name)
-                self.shown("check", "--json", name)
+            self.write(EVIL + ".kfast", text)
+            for command in ("check", "compile", "info", "fit"):
+                self.shown(command, EVIL + ".kfast")
+            self.shown("check", "--json", EVIL + ".kfast")
             self.write("bytes.kfast", text.encode() + EVIL_BYTES)
             self.shown("check", "bytes.kfast")
             self.shown("check", "-", "--stdin-filename", EVIL, text=text.encode())
@@ -137,11 +136,9 @@ class ContentTest(VisibleTest):
                  "a.sif": f'<canvas version="1.2" width="60" height="40"><name>{EVIL}</name><layer type="\u202e\x9b"/></canvas>'}
         for name, content in files.items():
             self.write(name, content)
-            self.write(EVIL + name, content)
-            for each in (name, EVIL + name):
-                for command in (("check",), ("check", "--strict"), ("info", "--tracks"), ("check", "--json"), ("import", "-o", "-"),
-                                ("import", "--json", "-o", "made.kfast"), ("import", "-o", "made.kfast")):
-                    self.shown(*command[:1], each, *command[1:])
+            for command in (("check",), ("check", "--strict"), ("info", "--tracks"), ("check", "--json"), ("import", "-o", "-"),
+                            ("import", "--json", "-o", "made.kfast"), ("import", "-o", "made.kfast")):
+                self.shown(*command[:1], name, *command[1:])
         self.run_kfast("import", "b.json", "-o", "made.kfast")
         self.shown("check", "made.kfast")
 
@@ -189,9 +186,7 @@ class ArgumentTest(VisibleTest):
                         "panel", "seek", "speed", "brightness", "slots", "config", "wiring", "devices", "new"):
             page = self.run_kfast(command, "--help").stdout
             for option in re.findall(r"(?m)^  (?:-\w, )?(--[a-z-]+) [A-Z]", page):
-                for file in (("once.kfast",), ()):
-                    self.shown(command, *file, option, EVIL)
-                    self.shown(command, *file, option, EVIL_BYTES)
+                self.shown(command, "once.kfast", option, EVIL_BYTES)
 
     def test_the_environment(self):
         for name in (b"KFAST_FIRMWARE", b"TMPDIR", b"PATH", b"EDITOR", b"HOME", b"TERM", b"LANG", b"KFAST_DEVICE"):

@@ -1,10 +1,12 @@
-/* Loaded before the C library (LD_PRELOAD), lets calls of a program fail that mostly succeed.
+/* Loaded before the C library (LD_PRELOAD), lets calls of a program fail that mostly succeed, as these
+ * variables of the environment say:
  *
- * FAILING_CALLS   which: "memory" (malloc and its kind), or "files" (open for writing, write, fsync, close
- * and rename of what is neither standard output nor standard error) FAILING_FROM    the number of the first
- * that fails, from 1; nothing fails without it FAILING_EACH    set: all of them fail from that one on;
- * otherwise it alone does FAILING_ERROR   errno of "files": 28 for ENOSPC FAILING_REPORT  a descriptor, to
- * which the number of calls is written at the end of the program
+ * - FAILING_CALLS: which calls; "memory" (malloc and its kind), or "files" (open for writing, write, fsync,
+ * close and rename of what is neither standard output nor standard error)
+ * - FAILING_FROM: the number of the first that fails, from 1; nothing fails without it
+ * - FAILING_EACH: if it is there, all of them fail from that one on; otherwise it alone does
+ * - FAILING_ERROR: errno of "files"
+ * - FAILING_REPORT: a descriptor, to which the number of calls is written at the end of the program
  *
  * Calls are counted once the libraries of the program have begun, and before its own globals do. */
 #define _GNU_SOURCE
