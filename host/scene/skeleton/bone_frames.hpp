@@ -10,8 +10,8 @@
 #include <vector>
 
 /// Where bones are on the canvas, in double precision: for what is computed before a scene is stored.
-/// PosedBone of core/pose/posed_bones.hpp computes the same for pixels, in integers; the compiler's tests hold
-/// them against each other.
+/// PosedBone of core/pose/posed_bones.hpp computes the same for pixels, in integers; the compiler's tests
+/// hold them against each other.
 namespace kfast::scene {
 
 struct BoneFrame {
