@@ -48,14 +48,12 @@ constexpr std::string_view name_of(PixelFormat format)
 
 constexpr int bits_per_pixel(PixelFormat format)
 {
-    switch (format) {
-#define KFAST_BITS(name, bits)                                                                               \
-    case PixelFormat::name:                                                                                  \
-        return bits;
+    constexpr std::array bits_of_formats{
+#define KFAST_BITS(name, bits) bits,
         KFAST_PIXEL_FORMATS(KFAST_BITS)
 #undef KFAST_BITS
-    }
-    return 0;
+    };
+    return bits_of_formats[static_cast<std::size_t>(format)];
 }
 
 /// The fewest pixels that fill whole bytes: in columns that are a multiple of it a pixel begins on a byte.

@@ -256,8 +256,11 @@ private:
         return device_.input(which.input);
     }
 
+    void make_dark() { device_.disarm(); } ///< before flash is changed: nobody could do it meanwhile
     Outcome<Begun> carry_out(const Begin& what, Asked asked)
     {
+        if (what.home == Home::slot)
+            make_dark();
         return upload_.begin(what, asked.tag, asked.now);
     }
     Completion<Kind::commit> carry_out(const Commit&, Asked by) { return upload_.commit(by.tag, by.now); }
@@ -278,10 +281,15 @@ private:
     {
         if (const StatusWithNumber result = slot_exists(which.slot); !result.is_ok())
             return result;
+        make_dark();
         upload_.forget_last();
         return slots_.erase(which.slot);
     }
-    Completion<Kind::choose> carry_out(const ChooseSlot& which, Asked) { return library_.choose(which.slot); }
+    Completion<Kind::choose> carry_out(const ChooseSlot& which, Asked)
+    {
+        make_dark();
+        return library_.choose(which.slot);
+    }
 
     Completion<Kind::play> carry_out(const Play& what, Asked) { return library_.play(what); }
 

@@ -252,6 +252,7 @@ void PlaybackSession::fault()
 {
     now_.scene.reset();
     is_drawn_ = false;
+    restarts_.begins(Home::start, no_slot);
 }
 
 void PlaybackSession::pause()

@@ -36,9 +36,9 @@ private:
         using namespace std::string_view_literals; // of known length: nothing calls strlen
         switch (home) {
         case Home::slot:
-            return "slot 0 hung: the built-in scene plays"sv;
+            return "slot 0 hung: it is not played"sv;
         case Home::ram:
-            return "a scene in RAM hung: the built-in one plays"sv;
+            return "a scene in RAM hung"sv;
         case Home::built_in:
             return "the built-in scene hung: nothing plays"sv;
         default:

@@ -9,8 +9,7 @@ namespace kfast::link {
 
 /// The block of memory that a board lends to its player, and the scene that a computer puts at its end:
 ///
-///     | player, as much as the scene that plays needs | free | scene that plays from RAM, or the leased one
-///     |
+///     | player, as much as it needs | free | scene that plays from RAM, or leased |
 ///
 /// A scene lies at the end of the block, or right before the one that plays from there. All sizes are in
 /// bytes; places are whole words.

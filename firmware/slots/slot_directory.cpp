@@ -28,7 +28,7 @@ SlotEntry read_entry(ByteReader& reader)
         letter = static_cast<char>(reader.u8());
     for (std::uint32_t* number : {&entry.offset, &entry.size, &entry.crc})
         *number = reader.u32();
-    return entry;
+    return entry.is_empty() ? SlotEntry{} : entry; // that of nothing may be anywhere
 }
 
 SlotDirectory read_fields(ByteReader reader, std::uint32_t version)

@@ -50,13 +50,13 @@ public:
     }
 
     /// The directory is `changed` from now on, but for its generation and its bad copies. Fails with
-    /// flash_failed, and then it is as it was.
+    /// flash_failed, and then it is as it was. Even if nothing changes, it rests on no copy from before the
+    /// start (settle).
     Status put(const SlotDirectory& changed)
     {
-        if (changed == directory_)
-            return Status::ok;
+        const bool is_change = changed != directory_;
         const Status status = settle();
-        return status == Status::ok ? store(changed) : status;
+        return status == Status::ok && is_change ? store(changed) : status;
     }
 
 private:

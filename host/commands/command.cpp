@@ -10,11 +10,11 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <iostream>
 #include <new>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace kfast {
@@ -106,7 +106,7 @@ int run_words(std::span<const char* const> arguments)
     return parse_and_run(kfast, present);
 }
 
-/// Whatever is thrown becomes a message.
+/// What the input, memory or the system is to blame for becomes a message; anything else is a bug.
 int run_reported(std::span<const char* const> arguments)
 {
     try {
@@ -115,7 +115,7 @@ int run_reported(std::span<const char* const> arguments)
         return fail(failure.what(), failure.status());
     } catch (const std::bad_alloc&) {
         return fail(lack_of_memory);
-    } catch (const std::exception& error) {
+    } catch (const std::system_error& error) { // a thread that cannot begin, a folder that cannot be read
         return fail(error.what());
     }
 }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int most_specific = 1'000'000'000;
 constexpr std::size_t max_rules = 10'000;
-// Of matching; what is allowed takes half a second.
+// Of matching; what is allowed takes about a second.
 constexpr std::size_t compound_cost = 16;
+constexpr std::size_t attribute_cost = 8;
 constexpr std::size_t max_cost = std::size_t{1} << 29;
 
 std::string without_comments(std::string_view css)
@@ -130,7 +131,7 @@ std::optional<Selector> selector(std::string_view text)
     return result;
 }
 
-/// Of looking for a word among others, at worst: where each of them begins as it does.
+/// At worst, where each of the words begins with `word`.
 std::size_t search_cost(std::string_view words, std::string_view word)
 {
     return 8 + words.size() / 64 + words.size() * word.size() / 256;
@@ -148,21 +149,46 @@ bool has_word(std::string_view words, std::string_view word)
     return false;
 }
 
-bool matches(const Compound& compound, pugi::xml_node element, std::size_t& cost)
+bool matches(const Compound& compound, const StyledElement& element, std::size_t& cost)
 {
-    cost += compound_cost + compound.ids.size();
-    if (!compound.type.empty() && element_name(element) != compound.type)
+    cost += compound_cost + element.name.size() / 64;
+    if (!compound.type.empty() && element.name != compound.type)
         return false;
-    if (!std::ranges::all_of(compound.ids,
-                             [&](const auto& id) { return element.attribute("id").value() == id; }))
+    if (!std::ranges::all_of(compound.ids, [&](const std::string& id) {
+            cost += element.id.size() == id.size() ? 1 + id.size() / 64 : 1;
+            return element.id == id;
+        }))
         return false;
-    if (compound.classes.empty())
-        return true;
-    const std::string_view classes = element.attribute("class").value();
     return std::ranges::all_of(compound.classes, [&](const std::string& name) {
-        cost += search_cost(classes, name);
-        return has_word(classes, name);
+        cost += search_cost(element.classes, name);
+        return has_word(element.classes, name);
     });
+}
+
+StyledElement styled(pugi::xml_node element, std::size_t& cost)
+{
+    StyledElement result{.name = element_name(element), .id = {}, .classes = {}};
+    for (const pugi::xml_attribute attribute : element.attributes()) {
+        cost += attribute_cost;
+        const std::string_view name = attribute.name();
+        if (name == "id" && result.id.empty())
+            result.id = attribute.value();
+        else if (name == "class" && result.classes.empty())
+            result.classes = attribute.value();
+    }
+    cost += (result.name.size() + result.id.size() + result.classes.size()) / 64;
+    return result;
+}
+
+/// The element and those around it, from the inside to the outside.
+std::vector<StyledElement> path_of(pugi::xml_node element, std::size_t& cost)
+{
+    std::vector<StyledElement> path;
+    for (; element.type() == pugi::node_element; element = element.parent()) {
+        cost += compound_cost;
+        path.push_back(styled(element, cost));
+    }
+    return path;
 }
 
 struct StyleFinder : pugi::xml_tree_walker {
@@ -178,14 +204,17 @@ struct StyleFinder : pugi::xml_tree_walker {
 
 using Around = std::vector<Selector::Outer>::const_iterator;
 
-bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries, std::size_t& cost)
+/// `around` lie around what has matched so far, from the inside to the outside.
+bool matches_around(Around outer, Around end, std::span<const StyledElement> around, int& tries,
+                    std::size_t& cost)
 {
     if (outer == end)
         return true;
-    for (auto parent = element.parent(); parent.type() == pugi::node_element; parent = parent.parent()) {
+    for (; !around.empty(); around = around.subspan(1)) {
         if (--tries < 0)
             return false;
-        if (matches(outer->compound, parent, cost) && matches_around(outer + 1, end, parent, tries, cost))
+        if (matches(outer->compound, around.front(), cost) &&
+            matches_around(outer + 1, end, around.subspan(1), tries, cost))
             return true;
         if (outer->is_parent)
             return false;
@@ -195,11 +224,11 @@ bool matches_around(Around outer, Around end, pugi::xml_node element, int& tries
 
 }
 
-bool Selector::matches(pugi::xml_node element, std::size_t& cost) const
+bool Selector::matches(std::span<const StyledElement> path, std::size_t& cost) const
 {
     int tries = 1000; // many nested descendants would try all combinations
-    return svg::matches(compound, element, cost) &&
-           matches_around(around.begin(), around.end(), element, tries, cost);
+    return svg::matches(compound, path.front(), cost) &&
+           matches_around(around.begin(), around.end(), path.subspan(1), tries, cost);
 }
 
 std::vector<Declaration> declarations(std::string_view text)
@@ -294,8 +323,11 @@ void StyleSheet::add_at_rule(std::string_view prelude, std::string_view body, in
 std::vector<const Rule*> StyleSheet::matching(pugi::xml_node element)
 {
     std::vector<const Rule*> result;
+    if (rules_.empty())
+        return result;
+    const std::vector<StyledElement> path = path_of(element, cost_);
     for (const Rule& rule : rules_) {
-        if (rule.selector.matches(element, cost_))
+        if (rule.selector.matches(path, cost_))
             result.push_back(&rule);
         if (cost_ > max_cost)
             throw Failure(

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,13 @@ struct Declaration {
 
 /// The declarations between the braces of a rule, or in an attribute "style".
 std::vector<Declaration> declarations(std::string_view text);
+
+/// What of an element selectors look at.
+struct StyledElement {
+    std::string_view name;
+    std::string_view id;
+    std::string_view classes;
+};
 
 /// What an element must match: "rect", ".thin", "#nose", or all of these at once.
 struct Compound {
@@ -38,8 +46,9 @@ struct Selector {
     std::vector<Outer> around;
     int specificity = 0;
 
-    /// Adds to `cost` what that took: the more the longer the attributes "class" are.
-    bool matches(pugi::xml_node element, std::size_t& cost) const;
+    /// Of an element and those around it, from the inside to the outside, at least one. Adds to `cost` what
+    /// that took: the more the longer the names are that it looks at.
+    bool matches(std::span<const StyledElement> path, std::size_t& cost) const;
 };
 
 struct Rule {

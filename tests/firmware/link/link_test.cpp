@@ -141,6 +141,23 @@ TEST_CASE("a laser is armed and disarmed, and what is none is not")
     CHECK(bench.device.now.arming == Arming::disarmed);
 }
 
+TEST_CASE("a laser is dark before flash is changed, during which nobody could disarm it")
+{
+    LinkBench bench;
+    bench.device.now.arming = Arming::disarmed;
+    const auto is_dark_after = [&bench](const auto& request) {
+        REQUIRE(bench.does(Arm{}));
+        bench.send(request, 7);
+        while (bench.link.next_report())
+            continue;
+        return bench.device.now.arming == Arming::disarmed;
+    };
+    CHECK(is_dark_after(Begin{.home = Home::slot, .slot = 1, .size = 40}));
+    CHECK(is_dark_after(EraseSlot{1}));
+    CHECK(is_dark_after(ChooseSlot{1}));
+    CHECK_FALSE(is_dark_after(Begin{.home = Home::ram, .size = 40}));
+}
+
 TEST_CASE("inputs are set together, or none of them")
 {
     LinkBench bench;

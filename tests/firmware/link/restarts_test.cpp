@@ -121,8 +121,8 @@ TEST_CASE("two restarts in a row make safe mode, which plays what was not the re
 
 TEST_CASE("the notice of safe mode names what hung")
 {
-    CHECK(words_of(Home::slot, 5) == "slot 5 hung: the built-in scene plays");
-    CHECK(words_of(Home::ram) == "a scene in RAM hung: the built-in one plays");
+    CHECK(words_of(Home::slot, 5) == "slot 5 hung: it is not played");
+    CHECK(words_of(Home::ram) == "a scene in RAM hung");
     CHECK(words_of(Home::built_in) == "the built-in scene hung: nothing plays");
     CHECK(words_of(Home::start) == "it hung before it played: nothing plays");
     CHECK(RestartNotice{{.count = 2}}.notice().title == "safe mode");
