@@ -68,7 +68,7 @@ TEST_CASE("uploads succeed as long as the pool has room besides its bad sectors"
 {
     for (const Fault fault : every_fault) {
         Bench bench;
-        for (const std::uint32_t number : {0, 2, 3, 5, 8, 11})
+        for (const std::uint32_t number : {0U, 2U, 3U, 5U, 8U, 11U})
             bench.flash.spoil(pool_sector(number), fault);
         const Scene longest = padded_scene(2 * sector_bytes, 1);
         REQUIRE(put(*bench.store, 0, "one", padded_scene(100, 2)) == Status::ok);
@@ -173,7 +173,7 @@ TEST_CASE("a sector of the directory that turns bad loses nothing, until the las
     for (const Fault fault : every_fault) {
         Bench bench;
         SlotState expected = upload_for_long(bench);
-        for (const std::uint32_t number : {2, 0}) {
+        for (const std::uint32_t number : {2U, 0U}) {
             bench.spoil_directory({number}, fault);
             expected = upload_for_long(bench);
         }

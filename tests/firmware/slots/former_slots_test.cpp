@@ -37,7 +37,7 @@ PretendFlash former_flash(const Scene& scene, std::uint32_t number)
 
 TEST_CASE("slots of firmware with a directory of two sectors are found")
 {
-    for (const std::uint32_t number : {0, 1}) {
+    for (const std::uint32_t number : {0U, 1U}) {
         const Scene scene = padded_scene(3 * sector_bytes, 1);
         PretendFlash flash = former_flash(scene, number);
         Store store{flash, small_places};
@@ -51,7 +51,7 @@ TEST_CASE("slots of firmware with a directory of two sectors are found")
 
 TEST_CASE("no copy of the directory goes to where a scene of former firmware lies or plays")
 {
-    for (const std::uint32_t number : {0, 1}) {
+    for (const std::uint32_t number : {0U, 1U}) {
         const Scene scene = padded_scene(sector_bytes + 1, 1);
         PretendFlash flash = former_flash(scene, number);
         std::optional<Store> store{std::in_place, flash, small_places};

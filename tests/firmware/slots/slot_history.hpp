@@ -48,7 +48,7 @@ struct HistoryState {
 
     bool is_in(const Store& store) const
     {
-        for (std::uint8_t slot = 0; slot < slots.size(); ++slot) {
+        for (std::uint8_t slot = 0; slot < SlotDirectory::slot_count; ++slot) {
             const Slot& expected = slots[slot];
             const bool is_empty = expected.scene == empty;
             if (store.entry(slot).is_empty() != is_empty)
