@@ -174,7 +174,9 @@ class ArgumentTest(VisibleTest):
         self.evil(EVIL)
         self.evil("uf2", EVIL)
         self.evil("--" + EVIL)
-        for command in re.findall(r"(?m)^  ([a-z0-9-]+) ", self.run_kfast("--help").stdout):
+        commands = re.findall(r"(?m)^  ([a-z0-9-]+) ", self.run_kfast("--help").stdout)
+        self.assertGreater(len(commands), 25)
+        for command in commands:
             if command != "preview":
                 self.shown(command, EVIL, EVIL, EVIL, EVIL)
             self.shown(command, "--" + EVIL)
@@ -185,7 +187,9 @@ class ArgumentTest(VisibleTest):
         for command in ("render", "fit", "info", "hash", "export", "compile", "import", "check", "flash", "play", "upload", "live",
                         "panel", "seek", "speed", "brightness", "slots", "config", "wiring", "devices", "new"):
             page = self.run_kfast(command, "--help").stdout
-            for option in re.findall(r"(?m)^  (?:-\w, )?(--[a-z-]+) [A-Z]", page):
+            options = re.findall(r"(?m)^  (?:-\w, )?(--[a-z-]+) [A-Z]", page)
+            self.assertTrue(options, command)
+            for option in options:
                 self.shown(command, "once.kfast", option, EVIL_BYTES)
 
     def test_the_environment(self):
