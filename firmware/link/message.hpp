@@ -80,7 +80,7 @@ struct Playing {
     std::int32_t speed = 0;       ///< Q16 of the authored one
     Name clip{};                  ///< empty: the whole scene
     Arming arming = Arming::none; ///< also if nothing plays
-    Restarts restarts{};          ///< likewise; none by devices that do not tell them
+    Restarts restarts{};          ///< also if nothing plays; none from devices without a watchdog
 
     static constexpr void fields(auto&& io, auto& it)
     {

@@ -95,7 +95,7 @@ fs::path behind_links(const fs::path& path)
     return error ? path : real;
 }
 
-/// Whether `descriptor` could be brought to the disk, as far as what it is can be: errno says why not.
+/// Whether `descriptor` could be brought to the disk, or needs not, like a pipe; if not, errno says why.
 bool is_synchronized(int descriptor)
 {
     while (::fsync(descriptor) != 0)

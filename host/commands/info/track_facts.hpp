@@ -20,7 +20,8 @@ namespace kfast {
 nlohmann::ordered_json track_facts(const SceneView& scene, const TrackView& track);
 
 /// "5", "smooth: 0 40, 15 200", "accelerate: 0 40, 15 200", or with laws that differ "0 40 hold, 15 200
-/// accelerate, 30 40"; `facts` are those of a track. Of more than most_listed keys it tells the first.
+/// accelerate, 30 40"; `facts` are those of a track. Of more than most_listed keys, the first and how many
+/// more.
 std::string track_text(const nlohmann::ordered_json& facts);
 
 /// Adds the name of the input that `clock` is, if it is one, as "input".
