@@ -12,8 +12,8 @@ namespace kfast {
 /// at `target` stays as it was. At most four at a time.
 ///
 /// What commit() has renamed is on the disk, and the new name as well, when it returns: after a loss of power
-/// there is either the old content or the new one. A file system that cannot synchronize a folder may lose the
-/// new name.
+/// there is either the old content or the new one. A file system that cannot synchronize a folder may lose
+/// the new name.
 ///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
 /// destructor throws Failure, which names `target`, when the disk is full, the folder is not writable and so
