@@ -104,18 +104,32 @@ bool is_synchronized(int descriptor)
     return true;
 }
 
-/// The names in it. A folder that may be written to and not read stays as it is.
-bool is_folder_synchronized(const fs::path& folder)
-{
-    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return errno == EACCES;
-    const bool is_done = is_synchronized(descriptor);
-    const int error_number = errno;
-    ::close(descriptor);
-    errno = error_number;
-    return is_done;
-}
+/// A folder whose names can be brought to the disk. One that may be written to and not read stays closed.
+class OpenFolder {
+public:
+    explicit OpenFolder(const fs::path& folder)
+        : descriptor_{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)},
+          is_usable_{descriptor_ >= 0 || errno == EACCES}
+    {
+    }
+    ~OpenFolder()
+    {
+        if (descriptor_ >= 0)
+            ::close(descriptor_);
+    }
+    OpenFolder(const OpenFolder&) = delete;
+    OpenFolder& operator=(const OpenFolder&) = delete;
+
+    /// Otherwise errno says why not.
+    bool is_usable() const { return is_usable_; }
+    bool synchronize_names() const { return descriptor_ < 0 || is_synchronized(descriptor_); }
+    /// All files of the disk that it lies on.
+    bool synchronize_files() const { return descriptor_ < 0 || ::syncfs(descriptor_) == 0; }
+
+private:
+    int descriptor_;
+    bool is_usable_;
+};
 
 fs::path temporary_name(const fs::path& target, int attempt)
 {
@@ -144,9 +158,15 @@ const char* hint(int error_number)
     }
 }
 
+[[noreturn]] void refuse(const fs::path& target, int error_number)
+{
+    throw Failure("cannot write " + target.string() + ": " + std::strerror(error_number) + ": " +
+                  hint(error_number));
 }
 
-AtomicFile::AtomicFile(const fs::path& target) : target_{behind_links(target)}
+}
+
+AtomicFile::AtomicFile(const fs::path& target, Sync sync) : target_{behind_links(target)}, sync_{sync}
 {
     std::error_code unknown;
     if (fs::is_directory(target_, unknown))
@@ -205,29 +225,25 @@ void AtomicFile::commit()
     finish();
     if (!temporary_)
         return;
-    const fs::path folder = target_.parent_path();
-    if (std::rename(temporary_->c_str(), target_.c_str()) != 0)
+    const OpenFolder folder{target_.parent_path()}; // which may fail, and then nothing has changed
+    if (!folder.is_usable() || std::rename(temporary_->c_str(), target_.c_str()) != 0)
         fail(errno);
     keep_on_signal(*temporary_);
     temporary_.reset();
-    if (!is_folder_synchronized(folder))
+    if (sync_ == Sync::now && !folder.synchronize_names())
         fail(errno);
 }
 
 void AtomicFile::finish()
 {
-    if (descriptor_ >= 0 && temporary_ && !is_synchronized(descriptor_))
+    if (descriptor_ >= 0 && temporary_ && sync_ == Sync::now && !is_synchronized(descriptor_))
         fail(errno);
     const int descriptor = std::exchange(descriptor_, -1);
     if (descriptor >= 0 && ::close(descriptor) != 0)
         fail(errno);
 }
 
-void AtomicFile::fail(int error_number) const
-{
-    throw Failure("cannot write " + target_.string() + ": " + std::strerror(error_number) + ": " +
-                  hint(error_number));
-}
+void AtomicFile::fail(int error_number) const { refuse(target_, error_number); }
 
 void remove_unfinished_files() noexcept
 {
@@ -236,11 +252,18 @@ void remove_unfinished_files() noexcept
             ::unlink(path.data());
 }
 
-void write_file(const fs::path& target, std::span<const std::byte> bytes)
+void write_file(const fs::path& target, std::span<const std::byte> bytes, Sync sync)
 {
-    AtomicFile file{target};
+    AtomicFile file{target, sync};
     file.write(bytes);
     file.commit();
+}
+
+void synchronize(const fs::path& folder)
+{
+    const OpenFolder open{folder};
+    if (!open.is_usable() || !open.synchronize_files())
+        refuse(folder, errno);
 }
 
 }

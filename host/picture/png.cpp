@@ -49,9 +49,9 @@ Picture decoded_png(std::string_view bytes)
     return picture;
 }
 
-void write_png(const std::filesystem::path& target, const Picture& picture)
+void write_png(const std::filesystem::path& target, const Picture& picture, Sync sync)
 {
-    write_file(target, encoded_png(picture));
+    write_file(target, encoded_png(picture), sync);
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/file/atomic_file.hpp"
 #include "host/picture/picture.hpp"
 
 #include <cstddef>
@@ -17,6 +18,6 @@ std::vector<std::byte> encoded_png(const Picture& picture);
 Picture decoded_png(std::string_view bytes);
 
 /// Throws Failure when the file cannot be written; then there is none.
-void write_png(const std::filesystem::path& target, const Picture& picture);
+void write_png(const std::filesystem::path& target, const Picture& picture, Sync sync = Sync::now);
 
 }

@@ -21,9 +21,9 @@ std::string head(const SvgSource& source)
 
 constexpr const char* tail = "</svg>\n";
 
-void write_text(const std::filesystem::path& target, const std::string& text)
+void write_text(const std::filesystem::path& target, const std::string& text, Sync sync)
 {
-    write_file(target, std::as_bytes(std::span{text}));
+    write_file(target, std::as_bytes(std::span{text}), sync);
 }
 
 struct SvgFrame {
@@ -100,9 +100,9 @@ private:
 
 }
 
-void write_svg(const std::filesystem::path& target, SvgSource& source, Time moment)
+void write_svg(const std::filesystem::path& target, SvgSource& source, Time moment, Sync sync)
 {
-    write_text(target, head(source) + source.show(moment) + tail);
+    write_text(target, head(source) + source.show(moment) + tail, sync);
 }
 
 void write_animated_svg(const std::filesystem::path& target, SvgSource& source, const Timeline& timeline,
@@ -113,7 +113,7 @@ void write_animated_svg(const std::filesystem::path& target, SvgSource& source, 
     std::string text = head(source);
     for (const SvgFrame& frame : frames)
         text += frames.size() == 1 ? frame.elements : turns.group(frame);
-    write_text(target, text + tail);
+    write_text(target, text + tail, Sync::now);
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/file/atomic_file.hpp"
 #include "host/picture/film.hpp"
 #include "host/picture/svg_source.hpp"
 #include "host/picture/timeline.hpp"
@@ -11,7 +12,7 @@ namespace kfast {
 
 /// Writes the picture at one time as an SVG, as large as the panel. Throws Failure when the file cannot be
 /// written; then there is none.
-void write_svg(const std::filesystem::path& target, SvgSource& source, Time moment);
+void write_svg(const std::filesystem::path& target, SvgSource& source, Time moment, Sync sync = Sync::now);
 
 /// Writes one period of what is played as one SVG whose frames appear one after the other (SMIL), and which
 /// loops as the scene or clip does. Frames that repeat are stored once. Throws Failure as write_svg(), and

@@ -155,7 +155,7 @@ Rendered rendered(const Rendering& job, std::size_t frames)
 
 std::size_t film_length(const Rendering& job) { return film_moments(job.timeline).size(); }
 
-/// write(name without ending, moment) makes one file.
+/// write(file, moment, sync) makes one of them.
 template <class Write>
 Rendered render_folder(const Rendering& job, const char* ending, Write write)
 {
@@ -165,16 +165,17 @@ Rendered render_folder(const Rendering& job, const char* ending, Write write)
     for (int frame = 0; frame < count; ++frame) {
         job.on_progress(static_cast<std::size_t>(frame), static_cast<std::size_t>(count));
         const fs::path file = job.output / (frame_digits(frame) + ending);
-        write(file, job.timeline.frame_time(frame));
+        write(file, job.timeline.frame_time(frame), Sync::later);
         bytes += written_bytes(file);
     }
+    synchronize(job.output);
     return {counted(static_cast<std::size_t>(count), "file"), drawn_size(job), bytes};
 }
 
 template <class Write>
 Rendered render_moment(const Rendering& job, Write write)
 {
-    write(job.output, chosen_time(job.options, job.timeline));
+    write(job.output, chosen_time(job.options, job.timeline), Sync::now);
     return rendered(job, 1);
 }
 
@@ -182,7 +183,9 @@ Rendered render_vectors(const Rendering& job, RenderKind kind)
 {
     SvgSource source = svg_source_of(job);
     apply_inputs(job.options.picture, job.scene, source);
-    const auto write = [&source](const fs::path& file, Time moment) { write_svg(file, source, moment); };
+    const auto write = [&source](const fs::path& file, Time moment, Sync sync) {
+        write_svg(file, source, moment, sync);
+    };
     if (kind == RenderKind::folder)
         return render_folder(job, ".svg", write);
     if (!job.options.all)
@@ -209,8 +212,8 @@ Rendered render_video(const Rendering& job, RenderKind kind, FrameSource& source
 
 Rendered render_film(const Rendering& job, RenderKind kind, FrameSource& source)
 {
-    const auto write = [&source](const fs::path& file, Time moment) {
-        write_png(file, widen(source.show(moment)));
+    const auto write = [&source](const fs::path& file, Time moment, Sync sync) {
+        write_png(file, widen(source.show(moment)), sync);
     };
     switch (kind) {
     case RenderKind::folder:

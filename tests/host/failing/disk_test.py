@@ -32,6 +32,20 @@ class DiskTest(FailingTest):
                             "-o", self.output)
             self.output.unlink()
 
+    def test_a_folder_of_pictures(self):
+        (self.folder / "short.kfast").write_text("kfast 1\ncanvas 8 8 frames=3\nobject a fill=red { rect 0 0 9 9 }\n")
+        pictures = self.folder / "pictures"
+        arguments = ("render", "short.kfast", "--all", "-o", pictures)
+        result, number = self.run_failing(arguments, "files")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        # open, write, close and rename of each, and one syncfs for all
+        self.assertEqual(number, 3 * 4 + 1)
+        for first in range(1, number + 1):
+            result, _ = self.run_failing(arguments, "files", first, error=errno.EIO)
+            self.assertEqual(result.returncode, 1, f"call {first} failed")
+            self.assertIn(f"cannot write {pictures}", result.stderr)
+            self.assertEqual([path for path in pictures.iterdir() if ".tmp" in path.name], [])
+
     def test_an_import(self):
         self.go_through("import", DRAWING, "-o", self.output)
 

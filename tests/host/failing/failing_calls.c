@@ -2,7 +2,7 @@
  * variables of the environment say:
  *
  * - FAILING_CALLS: which calls; "memory" (malloc and its kind), or "files" (open for writing, write, fsync,
- * close and rename of what is neither standard output nor standard error)
+ * syncfs, close and rename of what is neither standard output nor standard error)
  * - FAILING_FROM: the number of the first that fails, from 1; nothing fails without it
  * - FAILING_EACH: if it is there, all of them fail from that one on; otherwise it alone does
  * - FAILING_ERROR: errno of "files"
@@ -132,6 +132,8 @@ ssize_t writev(int descriptor, const struct iovec* parts, int count)
 }
 
 int fsync(int descriptor) { return file_fails() ? -1 : (int)syscall(SYS_fsync, descriptor); }
+
+int syncfs(int descriptor) { return file_fails() ? -1 : (int)syscall(SYS_syncfs, descriptor); }
 
 int close(int descriptor)
 {
