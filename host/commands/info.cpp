@@ -142,8 +142,8 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
     const Size canvas = scene.view.canvas();
     const Size panel = panel_size(options.picture, scene.view);
     constexpr std::size_t max_pictures = 1000;
-    const CoarsePictures pictures =
-        coarse_pictures(scene.view, panel, std::min(affordable_pictures(scene.view), max_pictures));
+    const std::size_t affordable = affordable_pictures(scene.view, scene.view.outline_bytes());
+    const CoarsePictures pictures = coarse_pictures(scene.view, panel, std::min(affordable, max_pictures));
     return {
         {"file", options.file},
         {"bytes", scene.bytes.size()},

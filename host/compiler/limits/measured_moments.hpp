@@ -3,6 +3,7 @@
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace kfast {
@@ -23,8 +24,9 @@ struct MeasuredMoment {
 /// considered: thin_out() leaves fewer.
 std::vector<MeasuredMoment> measured_moments(const SceneView& scene);
 
-/// How many pictures of the scene are drawn in about one and a half seconds.
-std::size_t affordable_pictures(const SceneView& scene);
+/// How many pictures of the scene, whose outlines need so many bytes, are laid out in about one and a half
+/// seconds.
+std::size_t affordable_pictures(const SceneView& scene, std::size_t outline_bytes);
 
 /// Leaves at most `count` of them, spread evenly: at least the first and the last.
 void thin_out(std::vector<MeasuredMoment>& moments, std::size_t count);

@@ -173,6 +173,17 @@ void OutlineMeter::trace()
     Tracer{on_panel_, picture_}.run();
 }
 
+std::size_t typical_bytes(std::span<const MeasuredMoment> moments, OutlineMeter& meter)
+{
+    constexpr std::size_t samples = 8;
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < samples; ++i) {
+        const MeasuredMoment& sample = moments[i * moments.size() / samples];
+        bytes = std::max(bytes, meter.picture_at(sample.moment()).outlines.needed_bytes());
+    }
+    return bytes;
+}
+
 namespace {
 
 constexpr std::size_t max_samples = 24;
@@ -187,10 +198,12 @@ std::size_t glyph_count(const SceneView& scene)
 }
 
 /// Samples, in each of which all glyphs are measured.
-std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments)
+std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments,
+                                       OutlineMeter& meter)
 {
+    const std::size_t pictures = affordable_pictures(scene, typical_bytes(moments, meter));
     const std::size_t affordable =
-        std::max<std::size_t>(affordable_pictures(scene) / std::max<std::size_t>(glyph_count(scene), 1), 1);
+        std::max<std::size_t>(pictures / std::max<std::size_t>(glyph_count(scene), 1), 1);
     const std::size_t count = std::min({moments.size(), max_samples, affordable});
     std::vector<MeasuredMoment> samples;
     for (std::size_t i = 0; i < count; ++i)
@@ -243,7 +256,7 @@ void put_texts(const LargestTexts& texts, OutlineMeter& meter)
 std::vector<LargestTexts> largest_texts(const SceneView& scene, std::span<const MeasuredMoment> moments,
                                         OutlineMeter& meter)
 {
-    const std::vector<MeasuredMoment> samples = samples_of(scene, moments);
+    const std::vector<MeasuredMoment> samples = samples_of(scene, moments, meter);
     std::vector<LargestTexts> sets{LargestTexts(scene.input_count())};
     InputCursor inputs = scene.inputs();
     for (std::uint32_t number = 0; !inputs.at_end(); ++number) {
