@@ -21,6 +21,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/bytes/byte_reader.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/posed_bones.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/code_point.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bytes/crc16.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bytes/crc32.cpp
     ${CMAKE_CURRENT_LIST_DIR}/prepared/preparer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/prepared/prepared_scene.cpp

@@ -2,6 +2,7 @@
 set(KFAST_FIRMWARE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/settings/board_record.cpp
     ${CMAKE_CURRENT_LIST_DIR}/run/controls.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/link/checksum.cpp
     ${CMAKE_CURRENT_LIST_DIR}/link/playback_session.cpp
     ${CMAKE_CURRENT_LIST_DIR}/link/scene_memory.cpp
     ${CMAKE_CURRENT_LIST_DIR}/link/transfer.cpp

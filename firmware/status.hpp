@@ -20,7 +20,7 @@ enum class Status : std::uint8_t {
     bad_scene = static_cast<std::uint8_t>(Error::bad_scene),
     block_too_small = static_cast<std::uint8_t>(Error::block_too_small),
     too_slow = static_cast<std::uint8_t>(Error::too_slow),
-    bad_report = 16, ///< not 64 bytes
+    bad_report = 16, ///< not 64 bytes, or damaged
     unknown_kind,    ///< nothing this firmware knows
     bad_value,       ///< a number in the report is out of its range
     no_such_slot,    ///< with the number of slots
@@ -87,7 +87,7 @@ constexpr std::string_view status_text(Status status)
     case Status::too_slow:
         return without_name(error_text(static_cast<Error>(status)));
     case Status::bad_report:
-        return "a report must have 64 bytes"sv;
+        return "the report is cut short or damaged"sv;
     case Status::unknown_kind:
         return "the firmware does not know this kind of report"sv;
     case Status::bad_value:

@@ -6,6 +6,8 @@
 #include "core/time/time.hpp"
 #include "firmware/chip/span_writer.hpp"
 #include "firmware/chip/stored_text.hpp"
+#include "firmware/link/checksum.hpp"
+#include "firmware/link/message_kind.hpp"
 #include "firmware/report.hpp"
 
 #include <array>
@@ -156,7 +158,7 @@ constexpr std::uint8_t code_of()
 template <class M>
 consteval bool fits()
 {
-    std::array<std::byte, payload_bytes> room{};
+    std::array<std::byte, payload_bytes - (has_checksum(M::kind) ? checksum_bytes : 0)> room{};
     const M message;
     M::fields(FieldWriter{room}, message);
     return true;

@@ -4,6 +4,7 @@
 #include "core/scene/scene_view.hpp"
 #include "firmware/chip/microseconds.hpp"
 #include "firmware/link/answer_queue.hpp"
+#include "firmware/link/checksum.hpp"
 #include "firmware/link/device.hpp"
 #include "firmware/link/fields.hpp"
 #include "firmware/link/input_message.hpp"
@@ -24,8 +25,8 @@
 
 namespace kfast::link {
 
-/// The device's end of the link (docs/link.md): takes the computer's reports, carries out their requests, and
-/// has answers ready. It needs no order, no completeness and no sense in what comes.
+/// The device's end of the link (docs/link.md): takes the computer's reports in any order, whole or damaged,
+/// carries out their requests, and has answers ready.
 ///
 /// Nothing waits for the computer to fetch answers. A request that finds no room for its answer is not
 /// carried out; the progress of an upload is in one report, which is always the newest. One request
@@ -46,7 +47,7 @@ public:
         pass(now);
         Report report;
         std::ranges::copy(bytes.first(std::min(bytes.size(), report_bytes)), report.bytes.begin());
-        if (bytes.size() != report_bytes)
+        if (bytes.size() != report_bytes || !is_whole(report))
             refuse(report, Status::bad_report);
         else if (report.kind() == code_of<Data>())
             take_data(report, now);
@@ -56,12 +57,10 @@ public:
             take_request(report, now);
     }
 
-    /// Notes that the computer has sent something. Must also be called when a report has been taken: the
-    /// computer could not send anything while it worked.
+    /// The computer has sent something, or could not, since a report was just being taken.
     void hear(Microseconds now) { silence_.hear(now); }
 
-    /// Lets time pass: must be called at least every few seconds, and often if silences are to be noticed in
-    /// time.
+    /// Lets time pass: at least every few seconds, and often if silences are to be noticed in time.
     void pass(Microseconds now)
     {
         if (const auto tag = upload_.drop_overdue(now))
@@ -107,8 +106,7 @@ public:
     }
 
 private:
-    /// What belongs to a request besides its message.
-    struct Asked {
+    struct Asked { ///< what belongs to a request besides its message
         std::uint8_t tag = 0;
         Microseconds now;
     };
@@ -121,7 +119,7 @@ private:
         if (answers_.is_full())
             ++errors_;
         else
-            answers_.put(report);
+            answers_.put(with_checksum(report));
     }
 
     /// Answers what could not be understood.
@@ -336,8 +334,7 @@ private:
         return device_.set_brightness(how.brightness);
     }
 
-    /// Sets all of them, or none.
-    Completion<Kind::inputs> carry_out(const Inputs& inputs, Asked)
+    Completion<Kind::inputs> carry_out(const Inputs& inputs, Asked) // all of them, or none
     {
         if (!inputs.is_valid())
             return Status::bad_value;

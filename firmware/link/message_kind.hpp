@@ -7,7 +7,7 @@
 namespace kfast::link {
 
 /// Is increased when a computer or a device that knows the previous number cannot understand what is meant.
-inline constexpr std::uint8_t protocol_version = 1;
+inline constexpr std::uint8_t protocol_version = 2;
 
 /// Byte 0 of a report. The answer to a request has the same number and `from_device`.
 enum class Kind : std::uint8_t {
@@ -39,6 +39,26 @@ enum class Kind : std::uint8_t {
     boot_loader = 0x3F,
     error = 0x7F, ///< only from the device
 };
+
+/// Whether requests of that kind and their answers end with a checksum (checksum.hpp): those that change what
+/// a device keeps, those that are dangerous when nobody has asked for them, and what slots hold, by which a
+/// computer chooses one.
+constexpr bool has_checksum(Kind kind)
+{
+    switch (kind) {
+    case Kind::begin:
+    case Kind::commit:
+    case Kind::cancel:
+    case Kind::slot:
+    case Kind::erase:
+    case Kind::choose:
+    case Kind::arm:
+    case Kind::boot_loader:
+        return true;
+    default:
+        return false;
+    }
+}
 
 /// Names of scenes and clips.
 using Name = StoredText<24>;

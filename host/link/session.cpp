@@ -1,5 +1,6 @@
 #include "host/link/session.hpp"
 
+#include "firmware/link/checksum.hpp"
 #include "host/program/failure.hpp"
 #include "host/program/interruption.hpp"
 #include "host/text/characters.hpp"
@@ -116,7 +117,7 @@ std::uint8_t Session::new_tag()
 void Session::send(const Report& report)
 {
     heed_interruption();
-    pipe_.send(report);
+    pipe_.send(link::with_checksum(report));
 }
 
 std::optional<Report> Session::hear(std::uint8_t tag, Milliseconds patience)
@@ -131,9 +132,10 @@ std::optional<Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
         heed_interruption();
         const Milliseconds left = std::max(end - pipe_.now(), Milliseconds{0});
         const auto report = pipe_.receive(std::min(left, unheeded_at_most));
-        if (report && report->tag() == tag && (report->kind() & from_device) != 0)
+        const bool is_whole = report && link::is_whole(*report);
+        if (is_whole && report->tag() == tag && (report->kind() & from_device) != 0)
             return report;
-        if (report)
+        if (is_whole)
             remember_failure(*report);
         if (pipe_.now() >= end && (!report || left > Milliseconds{0}))
             return std::nullopt;
@@ -190,7 +192,7 @@ Report Session::exchange(const Report& request, Milliseconds patience, IsAnswer 
 void Session::take_leave(const Report& report)
 {
     try {
-        pipe_.send(report);
+        pipe_.send(link::with_checksum(report));
         const Milliseconds end = pipe_.now() + patience_when_leaving;
         while (pipe_.now() < end) {
             const auto answer = pipe_.receive(end - pipe_.now());

@@ -30,8 +30,9 @@ inline constexpr Milliseconds patience_with_flash{600};
 /// A device that is asked twice to play begins twice, and it looks at the whole scene before it answers.
 inline constexpr Milliseconds patience_to_begin{600};
 
-/// Asks a device and reads its answers, over a pipe that may lose, repeat and reorder (docs/link.md). It
-/// repeats a request without an answer, each time after a longer silence, up to its last patience.
+/// Asks a device and reads its answers, over a pipe that may lose, repeat, reorder and damage (docs/link.md):
+/// what its checksum shows to be damaged was never heard. It repeats a request without an answer, each time
+/// after a longer silence, up to its last patience.
 ///
 /// All members throw Failure with unplugged, with timed_out when the last patience is over, and Interrupted
 /// (interruption.hpp).

@@ -1,4 +1,5 @@
 #include "core/bytes/crc32.hpp"
+#include "firmware/link/checksum.hpp"
 #include "firmware/link/fields.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/upload_message.hpp"
@@ -62,7 +63,7 @@ private:
     }
 
     /// Bit 0: with the tag of what was asked for last; bit 1: of the kind that answers it; bit 2: short, the
-    /// rest is 0.
+    /// rest is 0; bit 3: with whatever checksum it has.
     Report report(std::uint32_t how)
     {
         Report report;
@@ -73,7 +74,7 @@ private:
             report.bytes[1] = static_cast<std::byte>(asked_.tag());
         if ((how & 2) != 0)
             report.bytes[0] = static_cast<std::byte>(asked_.kind() | from_device);
-        return report;
+        return (how & 8) == 0 ? link::with_checksum(report) : report;
     }
 
     std::span<const std::byte> says_;

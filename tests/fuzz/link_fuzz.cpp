@@ -13,6 +13,13 @@ namespace {
 /// A device, and what must hold whatever comes over its link.
 class Device {
 public:
+    /// With the checksum that belongs to it, if it is a whole one and should have one.
+    void take_whole(std::span<const std::byte> bytes)
+    {
+        Report report;
+        std::ranges::copy(bytes, report.bytes.begin());
+        take(std::span{link::with_checksum(report).bytes}.first(bytes.size()));
+    }
     void take(std::span<const std::byte> report)
     {
         link_.take(report, now_);
@@ -64,8 +71,9 @@ private:
 
 }
 
-/// A byte says what happens: below 0xC0 the 64 bytes behind it come as a report, or as many as are left;
-/// below 0xE0 a report is fetched; from there on, time passes.
+/// A byte says what happens: below 0x80 the 64 bytes behind it come as a report with a right checksum, or as
+/// many as are left; below 0xC0 they come as they are; below 0xE0 a report is fetched; from there on, time
+/// passes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     Device device;
@@ -75,7 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         bytes = bytes.subspan(1);
         if (what < 0xC0) {
             const std::size_t count = std::min(bytes.size(), report_bytes);
-            device.take(bytes.first(count));
+            what < 0x80 ? device.take_whole(bytes.first(count)) : device.take(bytes.first(count));
             bytes = bytes.subspan(count);
         } else if (what < 0xE0) {
             device.fetch();

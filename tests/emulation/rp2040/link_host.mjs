@@ -17,6 +17,8 @@ export const kind = {
     brightness: 0x35, inputs: 0x36, silence: 0x3a, arm: 0x3b, disarm: 0x3c, bootLoader: 0x3f, error: 0x7f,
 };
 const fromDevice = 0x80;
+/** What carries a checksum in its last two bytes, and its answers. */
+const checksummed = [kind.begin, kind.commit, kind.cancel, kind.slot, kind.erase, kind.choose, kind.arm, kind.bootLoader];
 
 export const u16 = (value) => [value & 0xff, (value >>> 8) & 0xff];
 export const u32 = (value) => [...u16(value), ...u16(value >>> 16)];
@@ -33,6 +35,16 @@ function crc32(bytes) {
     return ~value >>> 0;
 }
 
+function crc16(bytes) {
+    let value = 0xffff;
+    for (const byte of bytes) {
+        value ^= byte << 8;
+        for (let bit = 0; bit < 8; ++bit)
+            value = ((value << 1) ^ (value & 0x8000 ? 0x1021 : 0)) & 0xffff;
+    }
+    return value;
+}
+
 /** What a device sent. */
 class Answer {
     constructor(bytes) {
@@ -40,6 +52,8 @@ class Answer {
         this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
         this.kind = bytes[0];
         this.tag = bytes[1];
+        if (checksummed.includes(this.kind & ~fromDevice) && this.u16(reportBytes - 2) !== crc16(bytes.subarray(0, -2)))
+            fail(`link: the checksum of ${this.kind.toString(16)} is wrong`);
     }
 
     u8(at) { return this.bytes[at]; }
@@ -98,6 +112,8 @@ export class LinkHost {
     static report(which, payload, tag) {
         const bytes = new Uint8Array(reportBytes);
         bytes.set([which, tag, ...payload]);
+        if (checksummed.includes(which))
+            bytes.set(u16(crc16(bytes.subarray(0, -2))), reportBytes - 2);
         return bytes;
     }
 

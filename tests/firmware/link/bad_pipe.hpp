@@ -1,7 +1,11 @@
 #pragma once
 
+#include "firmware/link/checksum.hpp"
+#include "firmware/link/message_kind.hpp"
 #include "firmware/report.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -19,7 +23,7 @@ struct Badness {
     std::uint32_t overtaken = 0; ///< by the one behind it
     std::uint32_t truncated = 0;
     std::uint32_t damaged = 0; ///< a byte of it
-    std::uint32_t garbage = 0; ///< another one comes besides, of random bytes
+    std::uint32_t garbage = 0; ///< another one comes besides, of random bytes or invented
 };
 
 /// Brings reports from one end to the other, badly.
@@ -33,7 +37,7 @@ public:
     {
         Bytes bytes(report.bytes.begin(), report.bytes.end());
         if (happens(badness_.garbage))
-            on_the_way_.push_back(garbage());
+            on_the_way_.push_back(happens(500) ? garbage() : invented());
         if (happens(badness_.lost))
             return;
         if (happens(badness_.truncated))
@@ -65,6 +69,23 @@ private:
         for (std::byte& byte : bytes)
             byte = static_cast<std::byte>(below(256));
         bytes[0] &= std::byte{0x3F}; // more of it means something
+        return bytes;
+    }
+
+    /// Would change what the device keeps, but for its checksum: that of none is right.
+    Bytes invented()
+    {
+        Bytes bytes = garbage();
+        constexpr std::array kinds{link::Kind::begin,      link::Kind::commit, link::Kind::cancel,
+                                   link::Kind::erase,      link::Kind::choose, link::Kind::arm,
+                                   link::Kind::boot_loader};
+        bytes[0] = static_cast<std::byte>(kinds[below(kinds.size())]);
+        bytes[1] = static_cast<std::byte>(below(4));
+        bytes[2] = static_cast<std::byte>(below(8));
+        Report report;
+        std::ranges::copy(bytes, report.bytes.begin());
+        if (link::is_whole(report))
+            bytes.back() ^= std::byte{1};
         return bytes;
     }
 

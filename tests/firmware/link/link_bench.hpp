@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/checksum.hpp"
 #include "firmware/link/link.hpp"
 #include "firmware/link/upload_message.hpp"
 #include "tests/firmware/link/pretend_device.hpp"
@@ -31,7 +32,7 @@ struct LinkBench {
     template <class M>
     void send(const M& message, std::uint8_t tag)
     {
-        link.take(link::report_of(message, tag).bytes, now);
+        link.take(link::with_checksum(link::report_of(message, tag)).bytes, now);
     }
     /// What is fetched next, which must be an A with the tag.
     template <class A>
@@ -40,6 +41,7 @@ struct LinkBench {
         const auto report = link.next_report();
         REQUIRE(report);
         REQUIRE(report->tag() == tag);
+        REQUIRE(link::is_whole(*report));
         const auto message = link::message_of<A>(*report);
         REQUIRE(message);
         return *message;

@@ -18,7 +18,7 @@ TEST_CASE("the device tells what it is")
 {
     LinkBench bench;
     const auto capabilities = bench.ask<Capabilities>(Hello{});
-    CHECK(capabilities.protocol == 1);
+    CHECK(capabilities.protocol == 2);
     CHECK(capabilities.slots == 8);
     CHECK(capabilities.panel == Size{240, 135});
     CHECK(capabilities.block_bytes == 100'000);
@@ -338,7 +338,7 @@ TEST_CASE("reports that mean nothing are refused and counted")
         if (is_known)
             continue;
         ++wrong;
-        bench.link.take(report.bytes, bench.now);
+        bench.link.take(with_checksum(report).bytes, bench.now);
         const auto failure = bench.fetch<Failure>(7);
         CHECK(failure.request == kind);
         CHECK(failure.status == Status::unknown_kind);

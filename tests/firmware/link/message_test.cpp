@@ -43,7 +43,7 @@ TEST_CASE("messages lie in their reports as the document says")
                                .pool_bytes = 0x17E000,
                                .room_bytes = 0x1000,
                                .serial = {"E6"}},
-                  {0x81, 0x5A, 1, 8, 240,  0,    0x40, 0x01, 4,    3, 2, 1,   0,
+                  {0x81, 0x5A, 2, 8, 240,  0,    0x40, 0x01, 4,    3, 2, 1,   0,
                    0x80, 0,    0, 0, 0xE0, 0x17, 0,    0,    0x10, 0, 0, 'E', '6'});
     is_written_as(Names{.firmware = {"0.1"}, .board = {"p"}, .panel = {"q"}},
                   {0x82, 0x5A, '0', '.', '1', 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 'p', 0, 0, 0,  0,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/checksum.hpp"
 #include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/upload_message.hpp"
@@ -50,7 +51,7 @@ public:
 
     void take(const Report& report)
     {
-        if (report.tag() != tag_)
+        if (report.tag() != tag_ || !link::is_whole(report))
             return;
         if (const auto begun = link::message_of<link::Begun>(report); begun && step_ == Step::begin)
             go_on_from(begun->next, begun->window);
@@ -74,7 +75,7 @@ private:
     {
         if (waited_ % patience != 1)
             return std::nullopt;
-        return report;
+        return link::with_checksum(report);
     }
 
     std::optional<Report> next_block()

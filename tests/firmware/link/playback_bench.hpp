@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/checksum.hpp"
 #include "firmware/link/upload_message.hpp"
 #include "tests/firmware/link/test_playback_board.hpp"
 
@@ -25,7 +26,7 @@ public:
     template <class M>
     void send(const M& message, std::uint8_t tag)
     {
-        board.pipe.to_device.push_back(link::report_of(message, tag));
+        board.pipe.to_device.push_back(link::with_checksum(link::report_of(message, tag)));
     }
     /// The answer, which comes within a frame or two.
     template <class A, class M>

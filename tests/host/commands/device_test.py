@@ -82,8 +82,8 @@ class WrongDeviceTest(DeviceTest):
         self.refuse("pause", "--device", "sim:" + "x" * 200, status=NO_DEVICE, says="too long")
 
     def test_another_version_of_the_link(self):
-        self.board("A", "--protocol", 2)
-        self.refused("pause", status=WRONG_VERSION, says="version 2 of the link, and this kfast version 1: update kfast")
+        self.board("A", "--protocol", 3)
+        self.refused("pause", status=WRONG_VERSION, says="version 3 of the link, and this kfast version 2: update kfast")
         self.refused("devices", status=WRONG_VERSION, says="A.sock")
 
     def test_a_device_that_does_not_answer(self):
@@ -99,7 +99,7 @@ class WrongDeviceTest(DeviceTest):
         self.refused("play", "knobs.kfast", status=UNPLUGGED, says="A: the device is gone")
 
     def test_a_device_that_cannot_be_asked_does_not_hide_the_others(self):
-        self.board("A", "--protocol", 2)
+        self.board("A", "--protocol", 3)
         self.board("B")
         result = self.ask("devices", "--json", status=WRONG_VERSION)
         self.assertEqual([device["device"] for device in json.loads(result.stdout)], ["B"])

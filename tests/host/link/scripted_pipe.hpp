@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/link/checksum.hpp"
 #include "firmware/report.hpp"
 #include "host/link/report_pipe.hpp"
 
@@ -17,7 +18,7 @@ public:
         ++now_;
         if (answer)
             if (const auto reply = answer(report))
-                answers_.push_back(*reply);
+                answers_.push_back(link::with_checksum(*reply));
     }
     std::optional<Report> receive(Milliseconds patience) override
     {

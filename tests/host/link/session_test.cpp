@@ -158,7 +158,8 @@ TEST_CASE("what is told without a tag fails aloud")
 
 TEST_CASE("a device of another version of the link is not asked anything more")
 {
-    for (const std::uint8_t version : {std::uint8_t{0}, std::uint8_t{2}}) {
+    for (const std::uint8_t version :
+         {std::uint8_t{protocol_version - 1}, std::uint8_t{protocol_version + 1}}) {
         auto pipe = std::make_unique<ScriptedPipe>();
         int requests = 0;
         pipe->answer = [&](const Report& request) {
@@ -170,7 +171,7 @@ TEST_CASE("a device of another version of the link is not asked anything more")
             FAIL("it is not understood");
         } catch (const kfast::Failure& failure) {
             CHECK(failure.status() == ExitStatus::wrong_version);
-            const std::string hint = version == 0 ? "update the firmware" : "update kfast";
+            const std::string hint = version < protocol_version ? "update the firmware" : "update kfast";
             CHECK(std::string{failure.what()}.find(hint) != std::string::npos);
         }
         CHECK(requests == 1);
