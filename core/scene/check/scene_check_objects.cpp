@@ -133,8 +133,8 @@ bool SceneCheck::check_points(std::uint32_t offset, CheckedDrawing& checked)
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_valid() || !is_within(reader.start()) || segments > kfb::max_drawing_points ||
-            points > kfb::max_drawing_points || !may_read(segments))
+        if (!reader.is_valid() || !is_within(reader.start()) || points > kfb::max_drawing_points ||
+            !may_read(segments))
             return false;
         for (std::uint32_t i = 0; i < segments; ++i)
             if (!is_within(reader.next_segment()) || !reader.is_valid())
