@@ -36,7 +36,8 @@ TEST_CASE("a scene comes into a slot or into RAM, and nowhere else")
 {
     LinkBench bench;
     for (const Home home : {Home::built_in, Home::here, Home::start})
-        CHECK(bench.refusal(Begin{.home = home, .slot = 0, .size = 9}) == StatusWithNumber{Status::bad_value});
+        CHECK(bench.refusal(Begin{.home = home, .slot = 0, .size = 9}) ==
+              StatusWithNumber{Status::bad_value});
 }
 
 TEST_CASE("the built-in scene plays at the start if that of the chosen slot is too large for the device")

@@ -34,8 +34,8 @@ TEST_CASE("an empty queue has no answer, and a full one gives all in their order
 
 TEST_CASE("the progress of a drawing comes back from its mark")
 {
-    for (const DrawingProgress& progress :
-         {DrawingProgress{}, DrawingProgress{true, 0, 0}, DrawingProgress{true, 7, 0xFFFF}, DrawingProgress{false, 3, 1}}) {
+    for (const DrawingProgress& progress : {DrawingProgress{}, DrawingProgress{true, 0, 0},
+                                            DrawingProgress{true, 7, 0xFFFF}, DrawingProgress{false, 3, 1}}) {
         const DrawingProgress read = DrawingProgress::of(progress.mark());
         CHECK(read.has_begun == progress.has_begun);
         CHECK(read.number == progress.number);

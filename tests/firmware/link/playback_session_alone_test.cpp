@@ -43,7 +43,10 @@ struct Bench {
     {
         return playback->play({.scene = scene, .home = Home::slot, .slot = 2}, *SceneView::parse(scene));
     }
-    std::size_t needed(const Scene& scene) const { return panel_player_bytes(*SceneView::parse(scene), facts); }
+    std::size_t needed(const Scene& scene) const
+    {
+        return panel_player_bytes(*SceneView::parse(scene), facts);
+    }
 };
 
 }
@@ -84,7 +87,8 @@ TEST_CASE("before there is a scene nothing is steered, and nothing takes texts a
     CHECK_FALSE(bench.playback->playing().is_playing);
     CHECK(bench.playback->playing().moment == Time{});
     CHECK(bench.playback->set_text(0, "a") == Status::nothing_plays);
-    CHECK(bench.playback->deliver({.which = {}, .part = 0, .count = 0, .points = {}}) == Status::nothing_plays);
+    CHECK(bench.playback->deliver({.which = {}, .part = 0, .count = 0, .points = {}}) ==
+          Status::nothing_plays);
 }
 
 TEST_CASE("a button arms a laser only where something has played")

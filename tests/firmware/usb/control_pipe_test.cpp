@@ -11,8 +11,8 @@
 namespace kfast::usb::test {
 namespace {
 
-/// What the computer fetches of as many bytes, for which it has room: the sizes of the packets, whose bytes follow
-/// each other. Then the pipe waits for the computer's acknowledgement.
+/// What the computer fetches of as many bytes, for which it has room: the sizes of the packets, whose bytes
+/// follow each other. Then the pipe waits for the computer's acknowledgement.
 std::vector<std::size_t> packets(std::size_t size, std::size_t room)
 {
     Bytes data(size);
@@ -43,7 +43,8 @@ TEST_CASE("data come in full packets and a shorter one, which is empty if it has
     CHECK(packets(150, 255) == Sizes{64, 64, 22});
     CHECK(packets(150, 150) == Sizes{64, 64, 22});
     CHECK(packets(150, 129) == Sizes{64, 64, 1});
-    CHECK(packets(150, 128) == Sizes{64, 64}); // as many as the computer has room for: it knows that no more come
+    CHECK(packets(150, 128) ==
+          Sizes{64, 64}); // as many as the computer has room for: it knows that no more come
     CHECK(packets(128, 128) == Sizes{64, 64});
     CHECK(packets(128, 129) == Sizes{64, 64, 0});
     CHECK(packets(0, 10) == Sizes{0});

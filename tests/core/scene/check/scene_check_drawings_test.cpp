@@ -130,7 +130,8 @@ TEST_CASE("there is an end to the skeletons that are passed over on the way to o
         RawScene scene;
         scene.bones = repeated(skeleton_bytes({{}, std::vector<RawBone>(1)}), 255);
         scene.drawings = bytes({0});
-        scene.items = repeated(joined({bytes({0x88, 1, 255}), key_bytes({{.drawing = 0, .more = -1}})}), count);
+        scene.items =
+            repeated(joined({bytes({0x88, 1, 255}), key_bytes({{.drawing = 0, .more = -1}})}), count);
         return is_accepted(scene);
     };
     CHECK(takes_objects(1'000)); // 1000 * (254 + 2)

@@ -88,8 +88,8 @@ TEST_CASE("skeletons are a feature, even such that carry nothing, and so are oth
     scene.bones = skeleton_bytes({{}, std::vector<RawBone>(2)});
     CHECK(needs(scene, Feature::bones));
     const auto carried_by = [](std::int32_t first, std::int32_t second) {
-        return joined({bytes({0x88, 1, 1}),
-                       key_bytes({{.drawing = 10, .more = first}, {.time = {9}, .drawing = 10, .more = second}})});
+        return joined({bytes({0x88, 1, 1}), key_bytes({{.drawing = 10, .more = first},
+                                                       {.time = {9}, .drawing = 10, .more = second}})});
     };
     scene.items = carried_by(-1, -2);
     CHECK(needs(scene, Feature::bones));
