@@ -1,4 +1,5 @@
 #include "firmware/link/answer_queue.hpp"
+#include "firmware/link/fields.hpp"
 #include "firmware/link/message.hpp"
 #include "firmware/link/received_drawing.hpp"
 

@@ -1,4 +1,6 @@
 #include "core/features.hpp"
+
+#include "core/scene/scene_view.hpp"
 #include "tests/core/raw_bones.hpp"
 #include "tests/core/raw_drawing.hpp"
 #include "tests/core/raw_label.hpp"
