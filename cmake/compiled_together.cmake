@@ -6,7 +6,7 @@ set(KFAST_TOGETHER_AT_MOST 40)
 # these; those alone have names of some that are apart, too. Where it is off (scripts/tidy, and devices) an include that is
 # missing is told, and a name that hides another one.
 function(kfast_compile_together TARGET)
-    if(NOT KFAST_TOGETHER)
+    if(NOT KFAST_TOGETHER OR "${TARGET}" IN_LIST KFAST_NEVER_TOGETHER)
         return()
     endif()
     cmake_parse_arguments(PARSE_ARGV 1 TOGETHER "" "" "APART;ALONE")

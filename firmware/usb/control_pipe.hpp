@@ -59,10 +59,9 @@ public:
     template <UsbController C>
     bool sent(C& controller)
     {
-        if (stage_ == Stage::sending)
-            go_on(controller);
-        else if (stage_ == Stage::acknowledging)
+        if (stage_ != Stage::sending)
             return std::exchange(stage_, Stage::idle) == Stage::acknowledging;
+        go_on(controller);
         return false;
     }
 

@@ -157,6 +157,13 @@ private:
         return true;
     }
 
+    bool answer_if(bool is_right, const SetupPacket& packet, std::span<const std::byte> data)
+    {
+        if (is_right)
+            answer(packet, data);
+        return is_right;
+    }
+
     bool answer_byte(const SetupPacket& packet, std::uint8_t value)
     {
         answer_[0] = std::byte{value};
@@ -180,13 +187,13 @@ private:
             return false;
         switch (type) {
         case DescriptorType::device:
-            return is_of_device && answer(packet, device_descriptor);
+            return answer_if(is_of_device, packet, device_descriptor);
         case DescriptorType::configuration:
-            return is_of_device && answer(packet, configuration_descriptor);
+            return answer_if(is_of_device, packet, configuration_descriptor);
         case DescriptorType::hid:
-            return !is_of_device && answer(packet, hid_descriptor());
+            return answer_if(!is_of_device, packet, hid_descriptor());
         case DescriptorType::report:
-            return !is_of_device && answer(packet, report_descriptor);
+            return answer_if(!is_of_device, packet, report_descriptor);
         default:
             return false;
         }

@@ -39,8 +39,8 @@ bool SceneCheck::check_header() const
            scene_.frame_rate_ >= 1 && scene_.frame_rate_ <= kfb::max_frame_rate &&
            scene_.length_.ticks >= Time::ticks_per_frame && scene_.length_.ticks <= kfb::max_time &&
            scene_.loop_ <= Loop::ping_pong && !scene_.palette_.empty() && scene_.colour(0).opacity == 255 &&
-           scene_.outline_bytes_ <= kfb::max_outline_bytes && scene_.outline_bytes_ % 4 == 0 &&
-           scene_.borders_ <= kfb::max_borders && scene_.cache_bytes_ <= kfb::max_cache_bytes;
+           scene_.outline_bytes_ <= kfb::max_outline_bytes && scene_.borders_ <= kfb::max_borders &&
+           scene_.cache_bytes_ <= kfb::max_cache_bytes;
 }
 
 bool SceneCheck::check_laws()

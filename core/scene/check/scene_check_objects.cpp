@@ -80,9 +80,7 @@ bool SceneCheck::check_style(const ObjectStyle& style)
 
 bool SceneCheck::check_keys(const ObjectView& object)
 {
-    KeyCursor keys = object.keys();
-    if (keys.at_end())
-        return false;
+    KeyCursor keys = object.keys(); // at least one: KeyTimeCursor::one() stands for none
     const std::uint32_t bones = bones_of(scene_, object);
     const Key first = KeyCursor{keys}.next();
     if (object.has_arrivals && !needs(Feature::tweens))
@@ -108,9 +106,8 @@ bool SceneCheck::check_drawings(const ObjectView& object, const Key& key, std::u
 {
     if (!check_drawing(key.drawing))
         return false;
-    if (object.deformer == Deformer::bones &&
-        (!needs(Feature::bones) || !scene_.features().bones->check_skin(*this, key, bones)))
-        return false;
+    if (object.deformer == Deformer::bones && !scene_.features().bones->check_skin(*this, key, bones))
+        return false; // who has skeletons has the feature: check_bones()
     return !object.has_depths || (needs(Feature::wires) && scene_.features().wires->check(*this, key));
 }
 
@@ -136,8 +133,8 @@ bool SceneCheck::check_points(std::uint32_t offset, CheckedDrawing& checked)
     for (std::uint32_t stroke = 0; stroke < reader.strokes(); ++stroke) {
         const std::uint32_t segments = reader.next_stroke();
         points += segments;
-        if (!reader.is_valid() || !is_within(reader.start()) || segments > kfb::max_drawing_points ||
-            points > kfb::max_drawing_points || !may_read(segments))
+        if (!reader.is_valid() || !is_within(reader.start()) || points > kfb::max_drawing_points ||
+            !may_read(segments))
             return false;
         for (std::uint32_t i = 0; i < segments; ++i)
             if (!is_within(reader.next_segment()) || !reader.is_valid())
@@ -163,8 +160,8 @@ bool SceneCheck::check_deformer(const ObjectView& object)
 
 bool SceneCheck::check_backbones(const BackbonesView& backbones)
 {
-    BackboneKeyCursor keys = backbones.keys();
-    if (keys.at_end() || backbones.unit_bits < kfb::min_unit_bits || backbones.unit_bits > kfb::max_unit_bits)
+    BackboneKeyCursor keys = backbones.keys(); // at least one, as in check_keys()
+    if (backbones.unit_bits < kfb::min_unit_bits || backbones.unit_bits > kfb::max_unit_bits)
         return false;
     const std::uint32_t first = backbones.keys().next().drawing;
     for (Time before{-1}; !keys.at_end();) {
@@ -221,7 +218,7 @@ bool SceneCheck::check_path(const ItemView& item)
     for (std::uint32_t i = 0; i < segments; ++i) {
         const bool is_segment = is_within(reader.next_segment()) && reader.is_valid();
         const std::uint32_t length = lengths.varint();
-        if (!is_segment || length == 0 || length > kfb::max_path || lengths.overrun())
+        if (!is_segment || length == 0 || length > kfb::max_path) // 0: past the end, too
             return false;
         total += length;
         if (total > kfb::max_path)

@@ -175,6 +175,9 @@ TEST_CASE("what an input does not take is refused, and what it shows stays")
     CHECK(bench.last_failure() == StatusWithNumber{Status::no_such_input, 3});
     CHECK(bench.refusal(Drawing{.which = 1, .part = 0, .count = 15}) ==
           StatusWithNumber{Status::drawing_broken});
+    bench.send({drawing_reports(some_drawing(1, 70, 9), 1, 0).front()});
+    CHECK(bench.refusal(Drawing{.which = 1, .part = 1, .count = 14}) == // fewer than have come
+          StatusWithNumber{Status::drawing_broken});
     CHECK(bench.does(Drawing{.which = 1, .part = 0, .count = 14}));
     CHECK(bench.does(Points{.which = 1, .part = 0}));
 }

@@ -155,6 +155,24 @@ TEST_CASE("an upload that finds no other place than that of what plays fails")
     CHECK(put(*bench.store, 2, "new", scene) == Status::ok);
 }
 
+TEST_CASE("an upload that meets a bad sector fails where the directory cannot remember it")
+{
+    Bench bench;
+    const Scene old = padded_scene(700, 1);
+    REQUIRE(put(*bench.store, 1, "old", old) == Status::ok);
+    const SlotState before = state_of(*bench.store);
+    const Scene scene = padded_scene(3 * sector_bytes, 2);
+    bench.flash.spoil(pool_sector(2), Fault::program_does_nothing);
+    REQUIRE(bench.store->begin(upload_of(1, "new", scene), {}).is_ok());
+    bench.spoil_directory({0, 1, 2, 3}, Fault::program_does_nothing);
+    write_in_pieces(*bench.store, scene);
+    CHECK(bench.store->finish() == Status::flash_failed);
+    CHECK(state_of(*bench.store) == before);
+    CHECK(bench.times_erased(pool_sector(3)) == 0); // it has not moved
+    bench.restart();
+    CHECK(state_of(*bench.store) == before);
+}
+
 TEST_CASE("two bad sectors of the directory do not stop changes, and are not used again")
 {
     for (const Fault fault : every_fault)

@@ -49,6 +49,20 @@ TEST_CASE("slots of firmware with a directory of two sectors are found")
     }
 }
 
+TEST_CASE("a scene of former firmware in the last sector leaves the one before it to the directory")
+{
+    PretendFlash flash = former_flash(padded_scene(700, 1), 0);
+    Store store{flash, small_places};
+    const SlotState before = state_of(store);
+    REQUIRE(store.choose(5) == Status::ok);
+    const auto times = [&](std::uint32_t copy) {
+        return flash.erased_sectors()[small_places.directory_sector(copy) / sector_bytes];
+    };
+    CHECK(times(2) == 1); // with a copy
+    CHECK(times(3) == 1); // with the scene
+    CHECK(state_of(store) == before);
+}
+
 TEST_CASE("no copy of the directory goes to where a scene of former firmware lies or plays")
 {
     for (const std::uint32_t number : {0U, 1U}) {

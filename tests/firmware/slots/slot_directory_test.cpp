@@ -64,6 +64,14 @@ TEST_CASE("a directory with any bit wrong is none")
     expect_no_bit_wrong(first_version_of(unusual_directory()), first_version_bytes);
 }
 
+TEST_CASE("a directory that breaks off is none")
+{
+    const SlotDirectoryPages pages = slot_directory_pages_of(unusual_directory());
+    CHECK(read_slot_directory(std::span{pages}.first(slot_directory_bytes), pool_bytes));
+    for (std::size_t size = 0; size < slot_directory_bytes; ++size)
+        CHECK_FALSE(read_slot_directory(std::span{pages}.first(size), pool_bytes));
+}
+
 TEST_CASE("a directory of the first version is read, which knows of no bad sectors")
 {
     SlotDirectory expected = unusual_directory();

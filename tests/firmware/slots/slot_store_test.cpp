@@ -123,6 +123,8 @@ TEST_CASE("what plays is not written to, though no slot holds it any more")
     CHECK(std::ranges::equal(played, old));
     const auto elsewhere = bench.flash.contents().first(sector_bytes);
     CHECK(bench.store.longest_room(elsewhere) == bench.store.longest_room({}));
+    const auto also_behind = bench.flash.contents().subspan(small_places.pool + sector_bytes);
+    CHECK(bench.store.longest_room(also_behind) == bench.store.longest_room({})); // no scene is there
 }
 
 TEST_CASE("bytes that are not those that were announced are refused, and the slot stays as it was")

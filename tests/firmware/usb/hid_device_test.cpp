@@ -53,6 +53,8 @@ TEST_CASE("a descriptor is cut off where the computer has no more room")
     PretendedComputer computer;
     CHECK(computer.ask(0x8006, device_descriptor_value, 0, 8)->size() == 8);
     CHECK(computer.ask(0x8006, configuration_value_asked, 0, 9)->size() == 9);
+    CHECK(computer.ask(0x8006, device_descriptor_value, 0, 0) ==
+          Bytes{}); // there is nothing but the acknowledgement
 }
 
 TEST_CASE("it has names")
@@ -98,6 +100,9 @@ TEST_CASE("what it does not know it refuses, and goes on")
     refuses(0x8006, 0x0101, 0, 18); // a second device
     refuses(0x8006, 0x2200, 0, 25); // a report descriptor of the device
     refuses(0x8106, 0x0100, 0, 18); // a device descriptor of the interface
+    refuses(0x8006, 0x2100, 0, 9);  // a HID descriptor of the device
+    refuses(0x8106, 0x0200, 0, 41); // a configuration of the interface
+    refuses(0x8106, 0x0301, 0, 64); // a string of the interface
     refuses(0x8106, 0x2200, 1, 25); // another interface
     refuses(0xC001, 0, 0, 4);       // of a vendor
     refuses(0xA103, 0, 0, 1);       // GET_PROTOCOL, for mice and keyboards
@@ -114,6 +119,7 @@ TEST_CASE("what it does not know it refuses, and goes on")
     refuses(0xA101, 0x0101, 0, 64); // a report with a number
     refuses(0xA101, 0x0300, 0, 64); // a feature report
     refuses(0x210A, 0x0001, 0, 0);
+    refuses(0xA102, 0x0001, 0, 1); // the idle rate of a report with a number
     CHECK(computer.ask(0x8008, 0, 0, 1) == bytes({1}));
 }
 
@@ -139,6 +145,9 @@ TEST_CASE("it is configured, and no more after a reset")
     CHECK_FALSE(computer.ask(0x8100, 0, 0, 2));
     CHECK(status_of(computer, 0x81) == -1);
     CHECK(status_of(computer, 0x00) == 0);
+    CHECK(status_of(computer, 0x80) == 0);
+    CHECK_FALSE(computer.ask(0x0203, 0, 0x81)); // there is nothing to be halted
+    CHECK_FALSE(computer.ask(0xA102, 0, 0, 1));
 
     computer.configure();
     CHECK(device.is_connected());

@@ -57,6 +57,7 @@ TEST_CASE("simulated devices are sockets")
 {
     CHECK(chosen({"sim:/a", "sim:/b", "sim:/a"}, {}) == "/a /b ");
     CHECK(chosen({"sim"}, {usb("A")}) == sim_socket_path() + ' ');
+    CHECK(chosen({"A", "sim:/dev/A"}, {usb("A")}) == "A /dev/A "); // a socket, whatever its path
 }
 
 TEST_CASE("a simulated device listens where the user's own sockets are")
@@ -65,8 +66,11 @@ TEST_CASE("a simulated device listens where the user's own sockets are")
     const std::string kept = before == nullptr ? "" : before;
     ::setenv("XDG_RUNTIME_DIR", "/run/user/7", 1);
     CHECK(sim_socket_path() == "/run/user/7/kfast-sim.sock");
+    const std::string otherwise = "/tmp/kfast-" + std::to_string(::getuid()) + "-sim.sock";
+    ::setenv("XDG_RUNTIME_DIR", "", 1);
+    CHECK(sim_socket_path() == otherwise);
     ::unsetenv("XDG_RUNTIME_DIR");
-    CHECK(sim_socket_path() == "/tmp/kfast-" + std::to_string(::getuid()) + "-sim.sock");
+    CHECK(sim_socket_path() == otherwise);
     if (before != nullptr)
         ::setenv("XDG_RUNTIME_DIR", kept.c_str(), 1);
 }

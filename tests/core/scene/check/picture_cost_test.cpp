@@ -35,6 +35,8 @@ void add_triangles(RawScene& scene, std::size_t count) { scene.add_symbol(repeat
 /// A use of the symbol 0 with a track.
 Bytes use_with(const Bytes& track) { return joined({bytes({0x06, 1}), track, bytes({0})}); }
 
+bool exceeds(const ItemTotals& totals) { return totals.is_too_much; }
+
 Time frames(int count) { return Time{count * Time::ticks_per_frame}; }
 
 }
@@ -196,6 +198,46 @@ TEST_CASE("groups, tracks, borders and orders cost something, too")
     CHECK_FALSE(is_too_slow(ordered));
     ordered.items = repeated(use(1), 40); // 257 times
     CHECK(is_too_slow(ordered));
+}
+
+TEST_CASE("items, their layers and how deep they lie have limits, and what exceeds one stays too much")
+{
+    const auto of = [](std::uint32_t items, std::uint32_t steps) {
+        ItemTotals totals;
+        totals.items = static_cast<std::uint16_t>(items);
+        totals.paint_steps = static_cast<std::uint16_t>(steps);
+        return totals;
+    };
+    CHECK_FALSE(exceeds(of(kfb::max_items - 1, 0).in_item()));
+    CHECK(exceeds(of(kfb::max_items, 0).in_item()));
+    ItemTotals deep = of(1, 1);
+    for (std::uint32_t depth = 0; depth < kfb::max_depth; ++depth)
+        deep = deep.in_item();
+    CHECK_FALSE(exceeds(deep));
+    CHECK(exceeds(deep.in_item()));
+    CHECK(exceeds(deep.in_item().in_item()));
+
+    const auto blended = [&of](std::uint32_t steps) {
+        ItemTotals totals = of(1, steps);
+        totals.blend();
+        return totals;
+    };
+    CHECK_FALSE(exceeds(blended(kfb::max_paint_steps - 2)));
+    ItemTotals full = blended(kfb::max_paint_steps - 1);
+    CHECK(exceeds(full));
+    full.blend(); // whose sum has wrapped around
+    CHECK(exceeds(full));
+
+    const auto sum = [](ItemTotals totals, const ItemTotals& item) {
+        totals.add(item);
+        return totals;
+    };
+    CHECK_FALSE(exceeds(sum(of(kfb::max_items - 1, 0), of(1, 0))));
+    CHECK(exceeds(sum(of(kfb::max_items, 0), of(1, 0))));
+    CHECK_FALSE(exceeds(sum(of(1, kfb::max_paint_steps - 2), of(1, 2))));
+    CHECK(exceeds(sum(of(1, kfb::max_paint_steps - 1), of(1, 2))));
+    CHECK(exceeds(sum(of(1, 1), full)));
+    CHECK(exceeds(sum(full, of(1, 1))));
 }
 
 TEST_CASE("keys that many tracks share are read for each: there is an end to it")

@@ -122,6 +122,7 @@ TEST_CASE("a skin binds each point of its drawing, no more and no fewer")
     CHECK_FALSE(takes_skin(five_points(), {}));
     CHECK_FALSE(takes_skin(five_points(), bytes({0, 0x80})));
     CHECK(takes_skin({}, bytes({0}))); // the empty drawing has no points
+    CHECK_FALSE(takes_skin({}, bytes({0x80})));
 }
 
 TEST_CASE("a skin names bones of its skeleton")

@@ -83,6 +83,8 @@ TEST_CASE("keys go by inputs that there are, and lie within their range")
     CHECK(takes_track({1}, {{{0}, 0, 1}, {{65536}, 0, 2}}));
     CHECK(takes_track({2}, {{{0}, 0, 1}, {{65536}, 0, 2}}));
     CHECK_FALSE(takes_track({3}, {{{0}, 0, 1}, {{65536}, 0, 2}}));
+    for (const int beyond : {33, 34, 65, 255})
+        CHECK_FALSE(takes_track({static_cast<std::uint8_t>(beyond)}, {{{0}, 0, 1}, {{65536}, 0, 2}}));
     CHECK_FALSE(takes_track({1}, {{{0}, 0, 1}, {{65537}, 0, 2}}));
     CHECK(takes_track({}, {{{0}, 0, 1}, {{65537}, 0, 2}}));
 }
@@ -125,6 +127,14 @@ TEST_CASE("a drawing input has room for its usual drawing, which consists of lin
     CHECK_FALSE(takes_drawing(1, 4097, 10));
     CHECK_FALSE(takes_drawing(1, 4, 11));
     CHECK_FALSE(takes_drawing(1, 4, 5000));
+    const auto takes_two_strokes = [](std::uint32_t strokes) {
+        RawScene scene = with_inputs(1, drawing_input(strokes, 9, 0));
+        scene.drawings = packed({{polyline_of({{0, 0}, {16, 0}}), polyline_of({{0, 16}, {16, 16}})}});
+        scene.items = Bytes{};
+        return is_accepted(scene);
+    };
+    CHECK(takes_two_strokes(2));
+    CHECK_FALSE(takes_two_strokes(1)); // though there are points enough
     RawScene scene = with_inputs(1, drawing_input(1, 9, 0));
     const scene::Segment curve{.cubic = true, .c1 = {16, 16}, .c2 = {32, 16}, .to = {48, 0}};
     scene.drawings = packed({{{.from = {}, .segments = {curve}}}});

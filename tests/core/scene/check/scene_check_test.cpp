@@ -86,6 +86,8 @@ TEST_CASE("values of the header have ranges")
     CHECK(with(&RawScene::borders, 1'048'576));
     CHECK_FALSE(with(&RawScene::borders, 1'048'577));
     CHECK_FALSE(with(&RawScene::borders, 0xFFFFFFFF));
+    CHECK(with(&RawScene::cache_bytes, 4'194'304));
+    CHECK_FALSE(with(&RawScene::cache_bytes, 4'194'308));
 }
 
 TEST_CASE("the background is opaque, and there is one")
