@@ -1,11 +1,18 @@
 # Address and undefined-behaviour sanitizers in everything; the first finding ends the program.
 option(KFAST_SANITIZE "Build with sanitizers" OFF)
+option(KFAST_MEMORY_SANITIZER "Build the core, the firmware and what runs them with the memory sanitizer alone (clang only)" OFF)
 option(KFAST_EXPECTS "Trap where a caller breaks a contract: core/bytes/expects.hpp" ${KFAST_SANITIZE})
 option(KFAST_FUZZ "Build the fuzz targets (clang only)" OFF)
 set(KFAST_COMPILED_QUICKLY -O1 CACHE STRING "How code is compiled whose speed does not count")
 if(KFAST_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+endif()
+# All of a program must be compiled with it: of the C++ library, templates are, and the rest is not used.
+if(KFAST_MEMORY_SANITIZER)
+    add_compile_options(-fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer)
+    add_compile_definitions(_GLIBCXX_EXTERN_TEMPLATE=0)
+    add_link_options(-fsanitize=memory)
 endif()
 if(KFAST_EXPECTS)
     add_compile_definitions(KFAST_EXPECTS)

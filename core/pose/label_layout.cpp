@@ -107,6 +107,7 @@ std::size_t InputTexts::bytes_for(const SceneView& scene)
 
 InputTexts::InputTexts(const SceneView& scene, std::span<std::byte> memory) : memory_{memory}
 {
+    std::ranges::fill(memory, std::byte{}); // put() compares with what was there, also behind a shorter text
     for (InputCursor inputs = scene.inputs(); !inputs.at_end();) {
         const InputView input = inputs.next();
         if (input.type != InputType::text)

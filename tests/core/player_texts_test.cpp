@@ -77,6 +77,18 @@ TEST_CASE("a label shows its usual text until another is told")
     CHECK(default_value.picture({}) == empty.picture({}));
 }
 
+TEST_CASE("what texts take is known to its last byte, whatever the memory held")
+{
+    const Bytes file = compiled(
+        with_text("ab", 5, "object o stroke=red { text input=t at=\"9,40\" size=9 font=hershey-sans }"));
+    const SceneView scene = accepted(file);
+    Bytes clean(InputTexts::bytes_for(scene));
+    Bytes used(clean.size(), std::byte{0xA5});
+    const InputTexts of_clean{scene, clean};
+    const InputTexts of_used{scene, used};
+    CHECK(clean == used);
+}
+
 TEST_CASE("what has no glyph and what is too long is left out")
 {
     const std::string text =

@@ -19,6 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!file)
         return 0;
     demand(static_cast<bool>(SceneView::parse(*file)));
-    play(*file);
+    test::play(*file);
     return 0;
 }

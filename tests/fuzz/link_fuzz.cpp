@@ -3,6 +3,7 @@
 #include "tests/firmware/link/pretend_device.hpp"
 #include "tests/firmware/slots/pretend_flash.hpp"
 #include "tests/firmware/slots/small_places.hpp"
+#include "tests/known.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,8 @@ public:
         const bool has_report = link_.has_report();
         const auto report = link_.next_report();
         demand(report.has_value() == has_report);
+        if (report)
+            test::demand_known(std::span{report->bytes});
         demand(!report || (report->kind() & from_device) != 0);
     }
     void pass(std::uint32_t milliseconds)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/slots/flash.hpp"
+#include "tests/known.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,6 +63,7 @@ public:
     void program(std::uint32_t offset, std::span<const std::byte, page_bytes> page)
     {
         expect(offset % page_bytes == 0 && offset < bytes_.size());
+        demand_known(page);
         ++programmed_;
         change(offset, page_bytes, Failing{Fault::program_error, Fault::program_does_nothing},
                [=](std::span<std::byte> place) {

@@ -2,6 +2,7 @@
 
 #include "firmware/usb/controller.hpp"
 #include "tests/demand.hpp"
+#include "tests/known.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -48,6 +49,7 @@ public:
         require_free(endpoint);
         demand(is_in(endpoint));
         demand(packet.size() <= packet_bytes);
+        kfast::test::demand_known(packet);
         of(endpoint).given = Bytes{packet.begin(), packet.end()};
     }
     void accept(Endpoint endpoint)
