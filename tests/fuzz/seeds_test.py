@@ -1,4 +1,4 @@
-"""Compiled scenes that fuzzers begin with are scenes: one that is refused leads nowhere.
+"""Compiled scenes that fuzzers begin with are scenes: one that is refused leads nowhere. Fonts are those that we make.
 
     seeds_test.py KFAST
 """
@@ -6,6 +6,8 @@ import pathlib
 import subprocess
 import sys
 import unittest
+
+import font_seeds
 
 SEEDS = pathlib.Path(__file__).parent / "corpus/scene_view"
 BROKEN = {"cut.kfb": "breaks off before its end"}  # on purpose
@@ -23,6 +25,10 @@ class Seeds(unittest.TestCase):
                 else:
                     self.assertEqual("", done.stderr)
                     self.assertEqual(0, done.returncode)
+
+    def test_fonts_are_those_that_are_made(self):
+        folder = pathlib.Path(__file__).parent / "corpus/font"
+        self.assertEqual(font_seeds.fonts(), {file.name: file.read_bytes() for file in folder.iterdir()})
 
 
 if __name__ == "__main__":
