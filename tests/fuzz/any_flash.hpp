@@ -48,9 +48,31 @@ public:
 
     /// Whether sectors do not hold what they are given.
     bool is_spoiled() const { return is_spoiled_; }
+    /// Whether one device may have written all copies of the directory, one after the other: which of them is
+    /// the newest does not depend on which others there are.
+    bool has_one_history() const
+    {
+        const std::vector<std::uint32_t> generations = generations_of_copies();
+        return std::ranges::all_of(generations, [&](std::uint32_t generation) {
+            return std::ranges::all_of(generations, [=](std::uint32_t other) {
+                return generation - other < 0x4000'0000 || other - generation < 0x4000'0000;
+            });
+        });
+    }
 
 private:
     static constexpr std::uint32_t sectors = small_flash_bytes / sector_bytes;
+
+    std::vector<std::uint32_t> generations_of_copies() const
+    {
+        std::vector<std::uint32_t> generations;
+        for (std::uint32_t number = 0; number < FlashPlaces::directory_sectors; ++number) {
+            const auto bytes = flash_.contents().subspan(small_places.directory_sector(number), sector_bytes);
+            if (const auto copy = read_slot_directory(bytes, small_places.former_pool_bytes()))
+                generations.push_back(copy->generation);
+        }
+        return generations;
+    }
 
     void put(std::uint32_t offset, std::span<const std::byte> bytes)
     {
