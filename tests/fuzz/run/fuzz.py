@@ -1,12 +1,12 @@
 """Runs fuzz targets side by side, and keeps what they find; scripts/fuzz builds them and calls it."""
 
 import argparse
+import concurrent.futures
 import os
 import pathlib
 import signal
 import sys
 import threading
-import time
 
 from runs import PATIENCE, Figures, Processes
 from targets import BUILT, ROOT, names_in_sources, read_targets, shares
@@ -35,7 +35,7 @@ def options(arguments):
         parser.error(f"there is no target '{unknown[0]}', but {', '.join(known)}")
     if chosen.jobs < 1:
         parser.error("one has to run at a time, at least")
-    if not any(shares(chosen.words or known, chosen.jobs, max(chosen.seconds, 1))) or chosen.seconds < 1:
+    if shares(chosen.words or known, chosen.jobs, chosen.seconds)[1] < 1:
         parser.error("these are too few minutes: each target gets less than a second")
     return chosen
 
@@ -62,51 +62,39 @@ class Campaign:
         self._lock = threading.Lock()
 
     def run(self, seconds):
-        lines = shares(self._targets, self._jobs, seconds)
-        self._side_by_side([lambda line=line, number=number: self._run_line(line, number) for number, line in enumerate(lines)])
+        runs, share = shares(self._targets, self._jobs, seconds)
+        self._side_by_side(lambda run: self._run(*run, share), runs)
 
     def minimize(self):
-        waiting = list(self._targets)
-        self._side_by_side([lambda: self._minimize_next(waiting)] * self._jobs)
+        self._side_by_side(self._minimize, self._targets)
 
-    def _run_line(self, line, number):
-        for target, seconds in line:
-            figures = self._workshop.run(target, seconds, number)
-            self._note(target, figures)
-            print(f"{target.name}: {figures.seconds:.0f} s, coverage {growth(figures.coverage)}", file=sys.stderr, flush=True)
+    def _run(self, target, number, seconds):
+        figures = self._workshop.run(target, seconds, number)
+        self._note(target, figures)
+        print(f"{target.name}: {figures.seconds:.0f} s, coverage {growth(figures.coverage)}", file=sys.stderr, flush=True)
 
-    def _minimize_next(self, waiting):
-        while True:
-            with self._lock:
-                if not waiting:
-                    return
-                target = waiting.pop()
-            failure = self._workshop.minimize(target)
-            self._note(target, Figures(failures=[failure] if failure else []))
+    def _minimize(self, target):
+        failure = self._workshop.minimize(target)
+        self._note(target, Figures(failures=[failure] if failure else []))
 
     def _note(self, target, figures):
         with self._lock:
             self.figures[target.name].add(figures)
 
-    def _side_by_side(self, actions):
-        """Raises KeyboardInterrupt when all have been stopped."""
-        threads = [threading.Thread(target=action) for action in actions]
-        for thread in threads:
-            thread.start()
-        try:
-            wait_for(threads)
-        except KeyboardInterrupt:
-            self._processes.stop()
-            wait_for(threads, PATIENCE)
-            self._processes.stop(signal.SIGKILL)
-            wait_for(threads)
-            raise
-
-
-def wait_for(threads, seconds=float("inf")):
-    end = time.monotonic() + seconds
-    while any(thread.is_alive() for thread in threads) and time.monotonic() < end:
-        time.sleep(0.05)
+    def _side_by_side(self, action, tasks):
+        """Raises KeyboardInterrupt, and what an action has raised, when all have been stopped."""
+        with concurrent.futures.ThreadPoolExecutor(self._jobs) as pool:
+            futures = [pool.submit(action, task) for task in tasks]
+            try:
+                for future in concurrent.futures.as_completed(futures):
+                    future.result()
+            except BaseException:
+                for future in futures:
+                    future.cancel()
+                self._processes.stop()
+                concurrent.futures.wait(futures, PATIENCE)
+                self._processes.stop(signal.SIGKILL)
+                raise
 
 
 def table(targets, figures, workshop):

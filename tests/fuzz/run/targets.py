@@ -33,17 +33,9 @@ def dictionary_of(name):
 
 
 def shares(targets, processors, seconds):
-    """For each processor the targets that it runs, one after the other, with their seconds. All targets have the same
-    share of `seconds` (whole ones) on so many processors. One that a processor has no time left for goes on with the next
-    one: in the beginning of the time, so that it does not run beside itself unless there are more processors than
-    targets. The share is less than a second, and nothing is run, if there are too few seconds."""
-    share = seconds * processors // len(targets)
-    lines = [[] for _ in range(processors)]
-    at = 0  # as if processors worked one after the other
-    for target in targets:
-        end = at + share
-        while at < end:
-            part = min(end, (at // seconds + 1) * seconds) - at
-            lines[at // seconds].append((target, part))
-            at += part
-    return lines
+    """The runs by which so many processors are busy for `seconds`, in their order, and the whole seconds that each of them
+    takes: the same for all targets, which run once, or as often as there are processors for each. None is divided,
+    because reading a corpus may take long."""
+    runs = [(target, number) for number in range(max(1, processors // len(targets))) for target in targets]
+    rounds = -(-len(runs) // processors)
+    return runs, seconds // rounds
