@@ -156,7 +156,7 @@ class FuzzTest(unittest.TestCase):
 
     def test_wrong_usage_runs_nothing(self):
         self.targets(one="well")
-        for arguments, words in ((["2", "tow"], "there is no target 'tow', but one"), (["0.001"], "too few minutes"),
+        for arguments, words in ((["2", "tow"], "there is no target 'tow', but one"), (["0.001"], "too few minutes"), (["nan"], "no target 'nan'"),
                                  (["-1"], ""), (["0.1", "--jobs", "0"], "at least")):
             with self.subTest(arguments):
                 self.assertIn(words, self.fuzz(*arguments, status=2).stderr)

@@ -4,6 +4,7 @@ import argparse
 import concurrent.futures
 import os
 import pathlib
+import re
 import signal
 import sys
 import threading
@@ -41,13 +42,10 @@ def options(arguments):
 
 
 def minutes_in(words):
-    """Takes them from the words."""
-    try:
-        minutes = float(words[0])
-    except (IndexError, ValueError):
+    """Takes them from the words, if they begin with a number."""
+    if not words or not re.fullmatch(r"\d+(\.\d+)?", words[0]):
         return DEFAULT_MINUTES
-    del words[0]
-    return minutes
+    return float(words.pop(0))
 
 
 class Campaign:
