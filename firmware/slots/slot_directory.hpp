@@ -62,7 +62,7 @@ SlotDirectoryPages slot_directory_pages_of(const SlotDirectory& directory);
 /// scene would not be in a pool of `pool_bytes`. More bytes may follow.
 std::optional<SlotDirectory> read_slot_directory(std::span<const std::byte> bytes, std::uint32_t pool_bytes);
 
-/// Whether `a` was written after `b`.
+/// Whether `a` was written after `b`. Both are of one history, with less than 2^31 changes between them.
 constexpr bool is_newer(const SlotDirectory& a, const SlotDirectory& b)
 {
     return a.generation != b.generation && a.generation - b.generation < 0x8000'0000;

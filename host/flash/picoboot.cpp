@@ -98,9 +98,12 @@ struct PicobootLoader::Command {
     std::string words; ///< what it does, after "to"
 };
 
-PicobootLoader::PicobootLoader(std::unique_ptr<UsbPipe> pipe) : pipe_{std::move(pipe)}
+PicobootLoader::PicobootLoader(std::unique_ptr<UsbPipe> pipe) : pipe_{std::move(pipe)} { take_control(); }
+
+void PicobootLoader::take_control()
 {
     reset();
+    has_control_ = true;
     run({exclusive_access_id, {std::byte{without_the_drive}}, "let others wait"});
     run({exit_xip_id, {}, "open its flash"});
 }
@@ -158,6 +161,8 @@ void PicobootLoader::reset()
 /// Sends a command. `bytes` of data follow.
 void PicobootLoader::begin(const Command& command, std::size_t bytes)
 {
+    if (!has_control_)
+        take_control();
     ByteWriter packet;
     packet.u32(command_magic);
     packet.u32(++token_);
@@ -188,6 +193,9 @@ try {
     finish();
 } catch (const UsbStall&) {
     throw_refusal(command);
+} catch (const Failure&) {
+    has_control_ = false;
+    throw;
 }
 
 void PicobootLoader::fetch(const Command& command, std::span<std::byte> data)
@@ -205,10 +213,14 @@ try {
     pipe_->send({}, patience);
 } catch (const UsbStall&) {
     throw_refusal(command);
+} catch (const Failure&) {
+    has_control_ = false;
+    throw;
 }
 
 void PicobootLoader::throw_refusal(const Command& command)
 {
+    has_control_ = false;
     std::array<std::byte, status_bytes> answer{};
     pipe_->ask(status_request, answer, patience);
     ByteReader reader{answer};

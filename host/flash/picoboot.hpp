@@ -45,7 +45,8 @@ public:
 };
 
 /// The boot loader in the ROM of an RP2040, which speaks PICOBOOT. From the beginning to the end of its life
-/// nothing else writes to flash: the drive of the boot loader takes no files.
+/// nothing else writes to flash: the drive of the boot loader takes no files. After a transfer that has
+/// failed, the next command takes control anew, for the boot loader may be in the middle of the one before.
 class PicobootLoader final : public BootLoader {
 public:
     /// Frees the boot loader from what another program may have left unfinished, and takes control. Throws as
@@ -61,6 +62,7 @@ public:
 private:
     struct Command;
 
+    void take_control();
     void reset();
     void begin(const Command& command, std::size_t bytes);
     void finish();
@@ -69,8 +71,9 @@ private:
     [[noreturn]] void throw_refusal(const Command& command);
 
     std::unique_ptr<UsbPipe> pipe_;
-    std::uint32_t token_ = 0; ///< of the last command
-    bool is_gone_ = false;    ///< it was restarted
+    std::uint32_t token_ = 0;  ///< of the last command
+    bool has_control_ = false; ///< it waits for a command, and nothing else writes to flash
+    bool is_gone_ = false;     ///< it was restarted
 };
 
 }

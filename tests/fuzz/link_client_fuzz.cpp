@@ -3,17 +3,22 @@
 #include "firmware/link/fields.hpp"
 #include "firmware/link/input_message.hpp"
 #include "firmware/link/upload_message.hpp"
+#include "host/commands/devices/playing_text.hpp"
+#include "host/commands/devices/restart_text.hpp"
+#include "host/commands/text/json_text.hpp"
 #include "host/link/live_feed.hpp"
 #include "host/link/remote_device.hpp"
 #include "host/link/report_pipe.hpp"
 #include "host/link/scene_upload.hpp"
 #include "host/program/failure.hpp"
+#include "host/text/characters.hpp"
 #include "tests/demand.hpp"
 
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 using namespace kfast;
@@ -82,11 +87,28 @@ private:
     Milliseconds now_{0};
 };
 
+void demand_printable(const std::string& text) { demand(visible(text) == text); }
+
+/// What people and programs are told of it.
+void tell(const RemoteDevice& device, const link::Playing& playing)
+{
+    demand_printable(device.name());
+    demand_printable(playing_text(playing));
+    if (playing.restarts.count != 0)
+        demand_printable(restart_text(playing.restarts));
+    demand_printable(safe_mode_text(playing.restarts));
+    using Json = nlohmann::ordered_json;
+    demand(Json::accept(json_text(
+        Json{playing_json(playing), armed_json(playing), restart_json(playing.restarts), device.name()})));
+}
+
 void ask_for_everything(RemoteDevice& device)
 {
     Session& session = device.session();
     session.ask<link::Names>(link::AskNames{});
     const auto playing = session.ask<link::Playing>(link::AskPlaying{});
+    tell(device, playing);
+    session.ask<link::Statistics>(link::AskStatistics{});
     for (std::uint8_t input = 0; input < playing.inputs; ++input)
         session.ask<link::InputState>(link::AskInput{input});
     const auto slots = slots_of(device);

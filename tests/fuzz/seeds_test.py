@@ -1,5 +1,5 @@
 """Compiled scenes that fuzzers and mutations begin with are scenes: one that is refused leads nowhere. Whatever a compiled
-scene may hold is in one of them.
+scene may hold is in one of them. Fonts are those that we make.
 
     seeds_test.py KFAST SEED_KINDS
 """
@@ -8,6 +8,8 @@ import re
 import subprocess
 import sys
 import unittest
+
+import font_seeds
 
 FUZZ = pathlib.Path(__file__).parent
 SEEDS = FUZZ / "corpus/scene_view"
@@ -52,6 +54,10 @@ class Seeds(unittest.TestCase):
         pictures = [run(KFAST, "hash", file).stdout for file in (FUZZ / "scenes/everything.kfast", SEEDS / "everything.kfb")]
         self.assertGreater(len(pictures[0]), 100)
         self.assertEqual(*pictures, "Compile the text anew: kfast compile TEXT -o SEED")
+
+    def test_fonts_are_those_that_are_made(self):
+        folder = FUZZ / "corpus/font"
+        self.assertEqual(font_seeds.fonts(), {file.name: file.read_bytes() for file in folder.iterdir()})
 
 
 if __name__ == "__main__":

@@ -33,6 +33,7 @@ public:
             if (device_.connections() != connection)
                 lose_all();
         }
+        drain();
     }
 
 private:
@@ -95,10 +96,32 @@ private:
         case 13:
             return put(Endpoint::reports_out);
         case 14:
-            return take();
+            take();
+            return;
         default:
             return send();
         }
+    }
+
+    /// The program takes all, and so does the computer, unless it has not set the device up.
+    void drain()
+    {
+        while (take())
+            continue;
+        device_.resumed();
+        if (!device_.is_connected())
+            return;
+        demand_arrived(from_computer_);
+        if (controller_.of(Endpoint::reports_in).is_stalled)
+            setup({0x02, 0x01, 0, 0, 0x81, 0, 0, 0}); // CLEAR_FEATURE, halt
+        while (controller_.of(Endpoint::reports_in).given)
+            fetch(Endpoint::reports_in);
+        demand_arrived(to_computer_);
+    }
+
+    static void demand_arrived(const std::deque<Sent>& sent)
+    {
+        demand(std::ranges::all_of(sent, &Sent::may_be_lost));
     }
 
     void reset()
@@ -154,10 +177,13 @@ private:
         from_computer_.push_back({packet});
     }
 
-    void take()
+    /// Returns whether there was a report.
+    bool take()
     {
-        if (const std::optional<Report> report = device_.take())
+        const std::optional<Report> report = device_.take();
+        if (report)
             check_order(from_computer_, {report->bytes.begin(), report->bytes.end()});
+        return report.has_value();
     }
 
     void send()

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast::test {
@@ -50,6 +52,45 @@ std::string refusal_of(const auto& action)
     FAIL("nothing was thrown");
     return {};
 }
+
+/// One of which a transfer gets lost: the ROM has made it, and the computer does not hear of that.
+class DeafPipe final : public UsbPipe {
+public:
+    explicit DeafPipe(BootRom& rom) : pipe_{rom} {}
+
+    void send(std::span<const std::byte> bytes, std::chrono::milliseconds patience) override
+    {
+        pipe_.send(bytes, patience);
+        lose();
+    }
+    std::size_t receive(std::span<std::byte> bytes, std::chrono::milliseconds patience) override
+    {
+        const std::size_t count = pipe_.receive(bytes, patience);
+        lose();
+        return count;
+    }
+    void control_write(std::uint8_t request, std::chrono::milliseconds patience) override
+    {
+        pipe_.control_write(request, patience);
+    }
+    std::size_t ask(std::uint8_t request, std::span<std::byte> answer,
+                    std::chrono::milliseconds patience) override
+    {
+        return pipe_.ask(request, answer, patience);
+    }
+    void clear_halts() override { pipe_.clear_halts(); }
+
+    int until_lost = std::numeric_limits<int>::max(); ///< so many transfers of bulk endpoints
+
+private:
+    void lose()
+    {
+        if (until_lost-- == 0)
+            throw Failure{"lost", ExitStatus::timed_out};
+    }
+
+    BootRomPipe pipe_;
+};
 
 }
 
@@ -138,6 +179,27 @@ TEST_CASE("what the boot loader refuses is told in words, and it is of use again
     rom.next_status.reset();
     boot_loader->write(start, page);
     CHECK(memory.bytes()[0] == std::byte{});
+}
+
+TEST_CASE(
+    "after a transfer that got lost, the next command finds the boot loader ready, and nobody else writes")
+{
+    for (int lost = 0; lost < 3; ++lost)
+        for (const bool reads : {true, false}) {
+            NorFlash memory{2};
+            BootRom rom{memory};
+            auto pipe = std::make_unique<DeafPipe>(rom);
+            DeafPipe& deaf = *pipe;
+            PicobootLoader boot_loader{std::move(pipe)};
+            std::vector<std::byte> page = counted_bytes(256, 5);
+            deaf.until_lost = lost;
+            const auto use = [&] { reads ? boot_loader.read(start, page) : boot_loader.write(start, page); };
+            CHECK_THROWS_WITH(use(), "lost");
+            boot_loader.erase(start, 4096);
+            CHECK(rom.exclusive == 1);
+            boot_loader.read(start, page);
+            CHECK(page == std::vector<std::byte>(256, std::byte{0xFF}));
+        }
 }
 
 TEST_CASE(

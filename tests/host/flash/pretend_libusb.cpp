@@ -3,12 +3,13 @@
 #include "host/program/failure.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <deque>
+#include <functional>
 #include <libusb-1.0/libusb.h>
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 using namespace kfast;
 using namespace kfast::test;
@@ -32,45 +33,69 @@ namespace {
 constexpr std::uint8_t out_endpoint = 0x03;
 constexpr std::uint8_t in_endpoint = 0x84;
 
-int picoboot_interface(const libusb_device_handle& handle) { return handle.device->facts.has_drive ? 1 : 0; }
+constexpr std::uint8_t bulk = LIBUSB_TRANSFER_TYPE_BULK;
 
-libusb_endpoint_descriptor bulk(std::uint8_t address)
+std::vector<PretendInterface> interfaces_of(const PluggedIn& facts)
 {
-    libusb_endpoint_descriptor endpoint{};
-    endpoint.bEndpointAddress = address;
-    endpoint.bmAttributes = LIBUSB_TRANSFER_TYPE_BULK;
-    return endpoint;
+    if (facts.interfaces)
+        return *facts.interfaces;
+    std::vector<PretendInterface> all;
+    if (facts.has_drive)
+        all.push_back({.kind = LIBUSB_CLASS_MASS_STORAGE, .endpoints = {{0x81, bulk}, {0x02, bulk}}});
+    if (facts.has_picoboot)
+        all.push_back(
+            {.kind = LIBUSB_CLASS_VENDOR_SPEC, .endpoints = {{out_endpoint, bulk}, {in_endpoint, bulk}}});
+    return all;
 }
 
-/// The configuration of a boot loader, with all that it points to.
+/// Whether the interface that was claimed has the endpoint.
+bool has_claimed(const libusb_device_handle& handle, std::uint8_t endpoint)
+{
+    const auto interfaces = interfaces_of(handle.device->facts);
+    const auto claimed = static_cast<std::size_t>(handle.claimed);
+    if (handle.claimed < 0 || claimed >= interfaces.size())
+        return false;
+    const auto& endpoints = interfaces[claimed].endpoints;
+    return std::ranges::find(endpoints, endpoint, &std::pair<std::uint8_t, std::uint8_t>::first) !=
+           endpoints.end();
+}
+
+bool is_in(std::uint8_t endpoint) { return (endpoint & LIBUSB_ENDPOINT_IN) != 0; }
+
+/// The configuration of a device, with all that it points to.
 struct Configuration {
     explicit Configuration(const PluggedIn& facts)
     {
-        if (facts.has_drive)
-            add(LIBUSB_CLASS_MASS_STORAGE, drive);
-        if (facts.has_picoboot)
-            add(LIBUSB_CLASS_VENDOR_SPEC, picoboot);
-        for (std::size_t at = 0; at < count; ++at)
-            interfaces[at] = {&settings[at], 1};
-        descriptor.bNumInterfaces = static_cast<std::uint8_t>(count);
+        for (const PretendInterface& interface : interfaces_of(facts))
+            add(interface);
+        for (std::size_t at = 0; at < settings.size(); ++at)
+            interfaces.push_back({&settings[at], has_setting[at] ? 1 : 0});
+        descriptor.bNumInterfaces = static_cast<std::uint8_t>(interfaces.size());
         descriptor.interface = interfaces.data();
     }
 
-    void add(std::uint8_t kind, const std::array<libusb_endpoint_descriptor, 2>& endpoints)
+    void add(const PretendInterface& interface)
     {
-        libusb_interface_descriptor& setting = settings[count];
-        setting.bInterfaceNumber = static_cast<std::uint8_t>(count++);
-        setting.bInterfaceClass = kind;
-        setting.bNumEndpoints = 2;
-        setting.endpoint = endpoints.data();
+        auto& own = endpoints.emplace_back();
+        for (const auto& [address, attributes] : interface.endpoints) {
+            libusb_endpoint_descriptor& endpoint = own.emplace_back();
+            endpoint.bEndpointAddress = address;
+            endpoint.bmAttributes = attributes;
+        }
+        libusb_interface_descriptor setting{};
+        setting.bInterfaceNumber = static_cast<std::uint8_t>(settings.size());
+        setting.bInterfaceClass = interface.kind;
+        setting.bNumEndpoints = static_cast<std::uint8_t>(own.size());
+        setting.endpoint = own.data();
+        settings.push_back(setting);
+        has_setting.push_back(interface.has_setting);
     }
 
     libusb_config_descriptor descriptor{};
-    std::array<libusb_interface, 2> interfaces{};
-    std::array<libusb_interface_descriptor, 2> settings{};
-    std::array<libusb_endpoint_descriptor, 2> drive{bulk(0x81), bulk(0x02)};
-    std::array<libusb_endpoint_descriptor, 2> picoboot{bulk(out_endpoint), bulk(in_endpoint)};
-    std::size_t count = 0;
+    std::deque<std::vector<libusb_endpoint_descriptor>> endpoints;
+    std::vector<libusb_interface_descriptor> settings;
+    std::vector<bool> has_setting;
+    std::vector<libusb_interface> interfaces;
 };
 
 /// What the action returns, or the error that it throws.
@@ -88,6 +113,18 @@ int result_of(const auto& action)
 std::span<std::byte> bytes_at(unsigned char* data, std::size_t count)
 {
     return {reinterpret_cast<std::byte*>(data), count};
+}
+
+int transferred(bool is_in, std::span<std::byte> bytes, const std::function<int()>& by_rom)
+{
+    return changed_transfer ? changed_transfer(is_in, bytes, by_rom) : by_rom();
+}
+
+int status_of_endpoint(const BootRom& rom, std::uint16_t endpoint, unsigned char* data)
+{
+    data[0] = rom.is_halted(endpoint == in_endpoint) ? 1 : 0;
+    data[1] = 0;
+    return 2;
 }
 
 }
@@ -160,6 +197,8 @@ int libusb_get_port_numbers(libusb_device* device, std::uint8_t* ports, int room
 
 int libusb_get_active_config_descriptor(libusb_device* device, libusb_config_descriptor** config)
 {
+    if (device->facts.configuration_error != 0)
+        return device->facts.configuration_error;
     auto* const configuration = new Configuration{device->facts};
     ++libusb_things_in_use;
     *config = &configuration->descriptor;
@@ -207,41 +246,44 @@ int libusb_release_interface(libusb_device_handle* handle, int interface)
 
 int libusb_clear_halt(libusb_device_handle* handle, unsigned char endpoint)
 {
-    return result_of([&] { return handle->device->facts.rom->clear_halt(endpoint == in_endpoint), 0; });
+    return transferred(false, {}, [&] {
+        return result_of([&] { return handle->device->facts.rom->clear_halt(endpoint == in_endpoint), 0; });
+    });
 }
 
 int libusb_control_transfer(libusb_device_handle* handle, std::uint8_t type, std::uint8_t request,
                             std::uint16_t, std::uint16_t index, unsigned char* data, std::uint16_t length,
                             unsigned)
 {
-    BootRom& rom = *handle->device->facts.rom;
-    if (type == 0x82 && request == LIBUSB_REQUEST_GET_STATUS && length == 2) {
-        data[0] = rom.is_halted(index == in_endpoint) ? 1 : 0;
-        data[1] = 0;
-        return 2;
-    }
-    if (index != picoboot_interface(*handle) || handle->claimed != index)
+    BootRom* const rom = handle->device->facts.rom;
+    const auto bytes = bytes_at(data, length);
+    if (type == 0x82 && request == LIBUSB_REQUEST_GET_STATUS && length == 2)
+        return transferred(true, bytes, [&] { return status_of_endpoint(*rom, index, data); });
+    if (handle->claimed != index)
         return LIBUSB_ERROR_PIPE;
-    if (type == 0x41)
-        return result_of([&] { return rom.control_write(request), 0; });
-    return type == 0xC1 ? result_of([&] { return rom.ask(request, bytes_at(data, length)); })
-                        : LIBUSB_ERROR_PIPE;
+    return transferred(is_in(type), bytes, [&]() -> int {
+        if (type == 0x41)
+            return result_of([&] { return rom->control_write(request), 0; });
+        return type == 0xC1 ? result_of([&] { return rom->ask(request, bytes); }) : LIBUSB_ERROR_PIPE;
+    });
 }
 
 int libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, unsigned char* data,
                          int length, int* count, unsigned)
 {
-    if (handle->claimed != picoboot_interface(*handle))
+    if (!has_claimed(*handle, endpoint))
         return LIBUSB_ERROR_NOT_FOUND;
     if (handle->device->facts.transfer_error != 0)
         return handle->device->facts.transfer_error;
-    BootRom& rom = *handle->device->facts.rom;
+    BootRom* const rom = handle->device->facts.rom;
     const auto bytes = bytes_at(data, static_cast<std::size_t>(length));
-    const int result = result_of([&]() -> std::size_t {
-        if (endpoint == in_endpoint)
-            return rom.receive(bytes);
-        rom.send(bytes);
-        return bytes.size();
+    const int result = transferred(is_in(endpoint), bytes, [&] {
+        return result_of([&]() -> std::size_t {
+            if (is_in(endpoint))
+                return rom->receive(bytes);
+            rom->send(bytes);
+            return bytes.size();
+        });
     });
     *count = std::max(result, 0);
     return std::min(result, 0);
