@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-/// Some reports end with a checksum (has_checksum()): their last two bytes are the CRC-16 (core/bytes/crc16.hpp) of all
-/// before them, little-endian.
+/// Some reports end with a checksum (has_checksum()): their last two bytes are the CRC-16
+/// (core/bytes/crc16.hpp) of all before them, little-endian.
 namespace kfast::link {
 
 inline constexpr std::size_t checksum_bytes = 2;

@@ -19,7 +19,8 @@ public:
     {
         Report report;
         std::ranges::copy(bytes, report.bytes.begin());
-        take(std::span{link::with_checksum(report).bytes}.first(bytes.size()));
+        const Report whole = link::with_checksum(report);
+        take(std::span{whole.bytes}.first(bytes.size()));
     }
     void take(std::span<const std::byte> report)
     {

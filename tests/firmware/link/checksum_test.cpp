@@ -85,7 +85,9 @@ TEST_CASE("the checksum is that of the 62 bytes before it")
 {
     CHECK(checksum_of(Commit{}, 0x5A) == 0x78B4);
     CHECK(checksum_of(EraseSlot{.slot = 1}, 0x5A) == 0x08D7);
-    CHECK(checksum_of(Begin{.home = Home::ram, .slot = 255, .size = 0x010203, .crc = 0xA1B2C3D4, .name = {"n"}}, 0x5A) == 0x8FCB);
+    CHECK(
+        checksum_of(Begin{.home = Home::ram, .slot = 255, .size = 0x010203, .crc = 0xA1B2C3D4, .name = {"n"}},
+                    0x5A) == 0x8FCB);
 }
 
 TEST_CASE("what steers and what asks has none")

@@ -50,7 +50,7 @@ TEST_CASE("a scene that fits has good lines, and says what limits it")
     CHECK(lines[2] == FitLine{"st7789 240x240"});
     CHECK(has(lines, "scene   " + std::to_string(scene.view().size()) + " B of 256 KiB", Verdict::good));
     CHECK(has(lines,
-              "RAM     " + fit::memory_text(Player::block_bytes(scene.view(), {240, 240})) + " of 89.6 KiB",
+              "RAM     " + fit::memory_text(Player::block_bytes(scene.view(), {240, 240})) + " of 89 KiB",
               Verdict::good));
     CHECK(has(lines, "besides, the firmware has", Verdict::neutral));
     CHECK(has(lines, "flash   1.75 MiB of 2 MiB", Verdict::neutral));
