@@ -53,6 +53,7 @@ bool items_need(const Bytes& items, Feature feature)
 Bytes changing(const std::vector<std::uint32_t>& drawings)
 {
     std::vector<RawKey> keys;
+    keys.reserve(drawings.size());
     for (const std::uint32_t drawing : drawings)
         keys.push_back({.time = Time::frame(static_cast<int>(keys.size())), .drawing = drawing});
     return joined({bytes({0x08, 1}), key_bytes(keys)});
