@@ -12,7 +12,7 @@ inline constexpr std::size_t report_bytes = 64;
 /// What is sent over the link, in either direction: 64 bytes. Byte 0 is the kind, byte 1 a tag chosen by the
 /// computer and repeated by an answer, the rest is payload, little-endian.
 struct Report {
-    std::array<std::byte, report_bytes> bytes{};
+    alignas(std::uint32_t) std::array<std::byte, report_bytes> bytes{}; // is copied by words
 
     constexpr std::uint8_t kind() const { return std::to_integer<std::uint8_t>(bytes[0]); }
     constexpr std::uint8_t tag() const { return std::to_integer<std::uint8_t>(bytes[1]); }

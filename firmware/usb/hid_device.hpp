@@ -45,8 +45,8 @@ public:
     /// The computer waits as long as room_from_computer of them are left here.
     std::optional<Report> take()
     {
-        const typename C::EventsOff guard;
-        return from_computer_.take(controller_);
+        Report report;
+        return take_into(report) ? std::optional{report} : std::nullopt;
     }
 
     /// Returns false, and sends nothing, if no computer listens or room_to_computer reports wait already.
@@ -69,8 +69,11 @@ public:
         disconnect();
     }
 
+    // Whatever the computer sends or fetches shows that it is awake.
+
     void setup(std::span<const std::byte, setup_bytes> bytes)
     {
+        is_suspended_ = false;
         new_address_.reset();
         if (!begin_transfer(SetupPacket::parse(bytes)))
             control_.refuse(controller_);
@@ -78,6 +81,7 @@ public:
 
     void sent(Endpoint endpoint)
     {
+        is_suspended_ = false;
         if (endpoint == Endpoint::reports_in)
             to_computer_.sent(controller_);
         else if (control_.sent(controller_) && new_address_)
@@ -86,6 +90,7 @@ public:
 
     void received(Endpoint endpoint)
     {
+        is_suspended_ = false;
         if (endpoint == Endpoint::reports_out)
             from_computer_.received(controller_);
         else if (control_.received())
@@ -96,6 +101,14 @@ public:
     void resumed() { is_suspended_ = false; }
 
 private:
+    /// Notified of nothing for as long as a copy takes: UsbController::take_back_broken_off() has little
+    /// time.
+    bool take_into(Report& report)
+    {
+        const typename C::EventsOff guard;
+        return from_computer_.take(controller_, report);
+    }
+
     /// Returns false if it is refused.
     bool begin_transfer(const SetupPacket& packet)
     {

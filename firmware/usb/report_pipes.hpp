@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <span>
 
 namespace kfast::usb {
@@ -22,15 +21,16 @@ public:
         accept_more(controller);
     }
 
+    /// Returns false if there is none.
     template <UsbController C>
-    std::optional<Report> take(C& controller)
+    bool take(C& controller, Report& report)
     {
         if (ring_.is_empty())
-            return std::nullopt;
-        const Report report = ring_.first();
+            return false;
+        report = ring_.first();
         ring_.pop();
         accept_more(controller);
-        return report;
+        return true;
     }
 
     /// The controller has a packet.

@@ -267,3 +267,36 @@ test('it survives a sleep of the bus', () => {
     setUp(host);
     expectEcho(host, 22);
 });
+
+test('a computer that slept and woke while nobody looked is awake with its first packet', () => {
+    const host = configured();
+    expectEcho(host, 23);
+    for (const events of [['suspend', 'resume'], ['resume', 'suspend']]) {
+        for (const event of events)
+            host.unit[event]();
+        host.run(1e6);
+        expectEcho(host, 24);
+    }
+});
+
+// What ended and the setup are found in one interrupt, or the one while the other is worked on.
+test('of a transfer that is broken off nothing goes to the next one', () => {
+    const host = configured();
+    const stepNanos = 50;
+    for (let delay = 0; delay < 12_000; delay += stepNanos) {
+        host.setup(setReport(64));
+        assert.equal(host.send(0, report(25)), 'ack'); // and now the device would end the transfer by an empty packet
+        host.run(delay);
+        host.unit.setup(getDevice);
+        host.run(2900); // the token
+        for (let waited = 0; host.unit.token({ number: 0, isIn: true }) === 'nak'; ++waited) {
+            assert.ok(waited < 10_000);
+            host.run(stepNanos);
+        }
+        const { pid, bytes } = host.unit.finishIn({ number: 0, isIn: true });
+        assert.deepEqual([pid, bytes.length], [1, 18], `the setup ${delay} ns after the report`);
+        host.unit.setup(getDevice);
+        host.run(1e5);
+        host.ask(reports); // the echo
+    }
+});

@@ -117,7 +117,8 @@ void UsbController::close(Endpoint endpoint)
 
 void UsbController::give(Endpoint endpoint, std::span<const std::byte> packet)
 {
-    std::ranges::copy(packet, place_in_dpram(packet_offset(endpoint)));
+    take_back_broken_off(); // the program waits with interrupts off, and has copied the packet before
+    std::copy_n(packet.data(), packet.size(), place_in_dpram(packet_offset(endpoint))); // by words
     std::atomic_signal_fence(std::memory_order_release); // all of it is there before it is handed over
     hand_over(endpoint, buffer_control_full_0 | static_cast<std::uint32_t>(packet.size()));
 }
@@ -135,6 +136,8 @@ std::size_t UsbController::read(Endpoint endpoint, std::span<std::byte, usb::pac
 
 void UsbController::stall(Endpoint endpoint)
 {
+    if (is_broken_off(endpoint))
+        return;
     forget(endpoint, false);
     if (is_control(endpoint))
         ep_stall_arm.set(bit_of(endpoint)); // a setup clears it
@@ -153,13 +156,15 @@ UsbController::Event UsbController::next_line_event()
             forget(endpoint, false);
         return Event::bus_reset;
     }
-    if ((events & int_dev_suspend) != 0) {
-        sie_status.clear(sie_status_suspended);
-        return Event::suspended;
-    }
+    // Which of both came last is not known when they are found together, as after flash has been erased:
+    // asleep is what makes a laser dark, and any packet shows that the computer is awake.
     if ((events & int_dev_resume_from_host) != 0) {
         sie_status.clear(sie_status_resume);
         return Event::resumed;
+    }
+    if ((events & int_dev_suspend) != 0) {
+        sie_status.clear(sie_status_suspended);
+        return Event::suspended;
     }
     return Event::none;
 }
@@ -183,6 +188,14 @@ bool UsbController::read_setup(std::span<std::byte, usb::setup_bytes> packet)
     return true;
 }
 
+/// Whether a transfer is over that a stage of `endpoint` would belong to, because the computer has begun
+/// another one. What it has broken off would be taken for the answer to that: an empty packet for a
+/// descriptor, say.
+bool UsbController::is_broken_off(Endpoint endpoint)
+{
+    return is_control(endpoint) && (sie_status.read() & sie_status_setup_rec) != 0;
+}
+
 /// Takes back what was handed over. Aborting it first is broken in early chips (erratum RP2040-E2) and not
 /// needed: no computer asks for a packet of what it is about to set up.
 void UsbController::forget(Endpoint endpoint, bool next_is_data_1)
@@ -192,13 +205,27 @@ void UsbController::forget(Endpoint endpoint, bool next_is_data_1)
     data_1_ = next_is_data_1 ? data_1_ | bit_of(endpoint) : data_1_ & ~bit_of(endpoint);
 }
 
+/// What was handed over for a transfer that is over, and has not been fetched. A computer that has set up the
+/// next one asks for a packet at least 2.9 microseconds later, which is what its token of 35 bits takes.
+void UsbController::take_back_broken_off()
+{
+    if (!is_broken_off(Endpoint::control_in))
+        return;
+    for (const Endpoint endpoint : {Endpoint::control_in, Endpoint::control_out})
+        if ((ep_buffer_control(endpoint).read() & buffer_control_available_0) != 0)
+            ep_buffer_control(endpoint).write(0); // of one that has ended the length is still to be read
+}
+
 void UsbController::hand_over(Endpoint endpoint, std::uint32_t what)
 {
+    if (is_broken_off(endpoint))
+        return;
     const std::uint32_t word = what | ((data_1_ & bit_of(endpoint)) != 0 ? buffer_control_pid_0 : 0);
     data_1_ ^= bit_of(endpoint);
     ep_buffer_control(endpoint).write(word);
     let_unit_see();
     ep_buffer_control(endpoint).write(word | buffer_control_available_0);
+    take_back_broken_off();
 }
 
 }

@@ -37,10 +37,12 @@ public:
     void stall(usb::Endpoint endpoint);
     void set_address(std::uint8_t address);
 
-    /// Reports to a HidDevice what has happened. What ended before a transfer begins is reported before it.
+    /// Reports to a HidDevice what has happened. What ended before a transfer begins is reported before it;
+    /// what the device hands over then for the transfer before goes nowhere.
     template <class Device>
     void dispatch_events(Device& device)
     {
+        take_back_broken_off();
         dispatch_line_event(device);
         dispatch_finished(device);
         std::array<std::byte, usb::setup_bytes> packet;
@@ -76,6 +78,7 @@ private:
         for (const usb::Endpoint endpoint : endpoints) {
             if ((finished & bit_of(endpoint)) == 0)
                 continue;
+            take_back_broken_off(); // in time, whatever there is to be done
             if (is_in(endpoint))
                 device.sent(endpoint);
             else
@@ -91,6 +94,8 @@ private:
     std::uint32_t take_finished() const;
     bool read_setup(std::span<std::byte, usb::setup_bytes> packet);
 
+    static bool is_broken_off(usb::Endpoint endpoint);
+    static void take_back_broken_off();
     void forget(usb::Endpoint endpoint, bool next_is_data_1);
     void hand_over(usb::Endpoint endpoint, std::uint32_t what);
 

@@ -171,6 +171,23 @@ TEST_CASE("it is configured, and no more after a reset")
     CHECK_FALSE(device.is_connected());
 }
 
+TEST_CASE("a computer from which something comes, or goes to, is awake")
+{
+    PretendedComputer computer;
+    auto& device = computer.device;
+    computer.configure();
+    REQUIRE(device.send({}));
+    device.suspended();
+    REQUIRE(computer.take_packet(Endpoint::reports_in));
+    CHECK(device.is_connected());
+    device.suspended();
+    REQUIRE(computer.put_packet(Endpoint::reports_out, packet(1)));
+    CHECK(device.is_connected());
+    device.suspended();
+    CHECK(computer.ask(0x8008, 0, 0, 1) == bytes({1}));
+    CHECK(device.is_connected());
+}
+
 TEST_CASE("the idle rate is kept for the computer")
 {
     PretendedComputer computer;
