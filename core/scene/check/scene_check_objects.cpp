@@ -218,13 +218,13 @@ bool SceneCheck::check_path(const ItemView& item)
     for (std::uint32_t i = 0; i < segments; ++i) {
         const bool is_segment = is_within(reader.next_segment()) && reader.is_valid();
         const std::uint32_t length = lengths.varint();
-        if (!is_segment || length == 0 || length > kfb::max_path) // 0: past the end, too
+        if (!is_segment || length == 0 || length > kfb::max_path)
             return false;
         total += length;
         if (total > kfb::max_path)
             return false;
     }
-    return segments != 0 && lengths.left() == 0;
+    return segments != 0 && lengths.left() == 0 && !lengths.overrun();
 }
 
 }

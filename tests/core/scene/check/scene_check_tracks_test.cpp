@@ -232,6 +232,7 @@ TEST_CASE("a path is one stroke with an extent, and each of its segments has a l
     CHECK_FALSE(takes_path(corner, path_bytes(false, 10'000, {160, 160})));
     CHECK_FALSE(takes_path(corner, path_bytes(false, 0xFFFFFFFF, {160, 160})));
     CHECK_FALSE(takes_path(corner, block(joined({bytes({2}), varint(offset), varint(160), varint(160)}))));
+    CHECK_FALSE(takes_path(corner, block(joined({bytes({0}), varint(offset), varint(160), bytes({0x85})}))));
     CHECK_FALSE(takes_path(corner, {}));
     SUBCASE("whose drawing is whole")
     {
