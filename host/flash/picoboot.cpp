@@ -142,14 +142,17 @@ void PicobootLoader::restart()
 {
     run({exclusive_access_id, {std::byte{with_ejected_drive}}, "eject its drive"});
     const Command reboot{reboot_id, words({0, end_of_ram, restart_after_milliseconds}), "restart"};
-    begin(reboot, 0);
-    is_gone_ = true;
+    bool is_sent = false;
     try {
+        begin(reboot, 0);
+        is_sent = true;
         finish();
     } catch (const Failure& failure) {
-        if (failure.status() == ExitStatus::timed_out)
+        has_control_ = false;
+        if (!is_sent || failure.status() == ExitStatus::timed_out)
             throw;
     }
+    is_gone_ = true;
 }
 
 void PicobootLoader::reset()

@@ -202,6 +202,22 @@ TEST_CASE(
         }
 }
 
+TEST_CASE("after a restart that got lost, the boot loader is there as before")
+{
+    for (int lost = 0; lost < 4; ++lost) {
+        CAPTURE(lost);
+        NorFlash memory{2};
+        BootRom rom{memory};
+        auto pipe = std::make_unique<DeafPipe>(rom);
+        DeafPipe& deaf = *pipe;
+        PicobootLoader boot_loader{std::move(pipe)};
+        deaf.until_lost = lost;
+        CHECK_THROWS_WITH(boot_loader.restart(), "lost");
+        boot_loader.erase(start, 4096);
+        CHECK(rom.exclusive == 1);
+    }
+}
+
 TEST_CASE(
     "a board that was unplugged after any step starts nothing or what it had, and a second run repairs it")
 {
