@@ -140,6 +140,22 @@ class FuzzTest(unittest.TestCase):
         self.assertEqual(["found"], self.kept("one"))
         self.assertFalse([call for call in self.calls("one") if "-merge" in call])
 
+    def test_ctrl_c_while_finds_are_tried_again(self):
+        self.targets(one="crash", two="well")
+        self.fuzz("0.1", status=1)
+        self.targets(one="hang", two="well", three="well")
+        called = len(self.calls("one"))
+        process = subprocess.Popen(self.command("5"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 30
+        while len(self.calls("one")) == called:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        printed, errors = process.communicate(timeout=30)
+        self.assertEqual("", errors)
+        self.assertEqual(1, process.returncode)
+        self.assertIn("crash-1", printed)
+
     def test_who_does_not_hear_ctrl_c_is_killed(self):
         self.targets(one="deaf")
         process = self.begin("5")

@@ -9,6 +9,7 @@ beside it, and what it is called with goes to NAME.calls.
     slow    the same, and takes a second to begin
     deaf    like long, but does not even hear that
     crash   leaves an input that makes it fail
+    hang    never ends with such an input
     die     fails without one
     clash   fuzzes well, and cannot minimize
 """
@@ -54,6 +55,8 @@ def main(program, *arguments):
     does = program.with_suffix(".does").read_text(encoding="utf-8")
     options = dict(word[1:].split("=", 1) for word in arguments if word.startswith("-"))
     paths = [pathlib.Path(word) for word in arguments if not word.startswith("-")]
+    if paths[0].is_file() and does == "hang":
+        time.sleep(60)
     if paths[0].is_file():
         sys.exit(77 if paths[0].read_text(encoding="utf-8") == "bad" and does == "crash" else 0)
     if "merge" in options:

@@ -27,7 +27,7 @@ def options(arguments):
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/fuzz",
                         help="where corpora, finds and logs are kept: build/fuzz, which goes with the build")
     parser.add_argument("--targets", type=pathlib.Path, help=argparse.SUPPRESS)
-    parser.add_argument("--check-options", action="store_true", help="run nothing")
+    parser.add_argument("--check-options", action="store_true", help=argparse.SUPPRESS)
     chosen = parser.parse_args(arguments)
     chosen.seconds = round(60 * minutes_in(chosen.words))
     known = [target.name for target in read_targets(chosen.targets)] if chosen.targets else names_in_sources()
@@ -141,9 +141,11 @@ def main(arguments):
         sys.exit(str(failure))
     campaign = Campaign(targets, workshop, processes, chosen.jobs)
     is_interrupted = False
+    for target in targets:
+        workshop.prepare(target)
     try:
         for target in targets:
-            workshop.prepare(target)
+            workshop.try_again(target)
         campaign.run(chosen.seconds)
         campaign.minimize()
     except KeyboardInterrupt:

@@ -29,7 +29,7 @@ class Workshop:
             raise InUse(f"another scripts/fuzz is at work in {folder}") from failure
 
     def prepare(self, target):
-        """Ends what a replacement may have begun. A find that fails no more is an input like others."""
+        """Its folders. Ends what a replacement may have begun."""
         corpus, new, old = self._corpus(target), self._new(target), self._old(target)
         shutil.rmtree(new, ignore_errors=True)
         if old.exists() and not corpus.exists():
@@ -37,9 +37,12 @@ class Workshop:
         shutil.rmtree(old, ignore_errors=True)
         corpus.mkdir(exist_ok=True)
         (self._folder / "finds" / target.name).mkdir(exist_ok=True)
+
+    def try_again(self, target):
+        """A find that fails no more is an input like others."""
         for find in self.finds(target):
             if not self._fails(target, find):
-                shutil.move(find, corpus / find.name)
+                shutil.move(find, self._corpus(target) / find.name)
 
     def finds(self, target):
         """Inputs that made it fail. Slow ones are no failures."""
