@@ -123,8 +123,14 @@ public:
     /// Otherwise errno says why not.
     bool is_usable() const { return is_usable_; }
     bool synchronize_names() const { return descriptor_ < 0 || is_synchronized(descriptor_); }
-    /// All files of the disk that it lies on.
-    bool synchronize_files() const { return descriptor_ < 0 || ::syncfs(descriptor_) == 0; }
+    /// All files of the disk that it lies on, or of all disks, where that cannot be told.
+    bool synchronize_files() const
+    {
+        if (descriptor_ >= 0)
+            return ::syncfs(descriptor_) == 0;
+        ::sync();
+        return true;
+    }
 
 private:
     int descriptor_;

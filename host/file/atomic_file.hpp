@@ -17,9 +17,11 @@ enum class Sync {
 /// commit(). Without commit(), or when a signal ends the program, the temporary is removed and whatever was
 /// at `target` stays as it was. At most four at a time.
 ///
-/// What commit() has renamed is on the disk, and the new name as well, when it returns: after a loss of power
-/// there is either the old content or the new one. A file system that cannot synchronize a folder may lose
-/// the new name. If nothing but that fails, commit() throws, and the new content is there all the same.
+/// With Sync::now, what commit() has renamed is on the disk, and the new name as well, when it returns: after
+/// a loss of power there is either the old content or the new one. With Sync::later that holds after
+/// synchronize(), and until then a loss of power may leave an empty file. A file system that cannot
+/// synchronize a folder may lose the new name. If nothing but that fails, commit() throws, and the new
+/// content is there all the same.
 ///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
 /// destructor throws Failure, which names `target`, when the disk is full, the folder is not writable and so
