@@ -13,11 +13,10 @@ namespace {
 constexpr std::int32_t max_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
-/// For all pictures together, in the unit of SceneView::cost(): about one and a half seconds on a computer.
-/// Curves that are large on the canvas take longer than that says: it does not know how many pieces they
-/// have, which the bytes tell.
+/// For all pictures together, about one and a half seconds on a computer: in the unit of SceneView::cost(),
+/// which does not know how many pieces large curves have, and in bytes of outlines, which tell that.
 constexpr std::size_t max_cost = 3U << 21;
-constexpr std::size_t max_outline_bytes = std::size_t{1} << 29;
+constexpr std::size_t max_bytes_together = std::size_t{1} << 29;
 
 /// Collects times of one driver, which goes from 0 to `length`.
 class DriverMoments {
@@ -174,7 +173,7 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
 std::size_t affordable_pictures(const SceneView& scene, std::size_t outline_bytes)
 {
     return std::min(max_cost / std::max<std::uint32_t>(scene.cost(), 1),
-                    max_outline_bytes / std::max<std::size_t>(outline_bytes, 1));
+                    max_bytes_together / std::max<std::size_t>(outline_bytes, 1));
 }
 
 void thin_out(std::vector<MeasuredMoment>& moments, std::size_t count)

@@ -173,7 +173,7 @@ void OutlineMeter::trace()
     Tracer{on_panel_, picture_}.run();
 }
 
-std::size_t typical_bytes(std::span<const MeasuredMoment> moments, OutlineMeter& meter)
+std::size_t peak_bytes(std::span<const MeasuredMoment> moments, OutlineMeter& meter)
 {
     constexpr std::size_t samples = 8;
     std::size_t bytes = 0;
@@ -201,7 +201,7 @@ std::size_t glyph_count(const SceneView& scene)
 std::vector<MeasuredMoment> samples_of(const SceneView& scene, std::span<const MeasuredMoment> moments,
                                        OutlineMeter& meter)
 {
-    const std::size_t pictures = affordable_pictures(scene, typical_bytes(moments, meter));
+    const std::size_t pictures = affordable_pictures(scene, peak_bytes(moments, meter));
     const std::size_t affordable =
         std::max<std::size_t>(pictures / std::max<std::size_t>(glyph_count(scene), 1), 1);
     const std::size_t count = std::min({moments.size(), max_samples, affordable});

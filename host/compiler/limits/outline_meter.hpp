@@ -54,8 +54,8 @@ private:
     raster::Picture picture_;
 };
 
-/// The most that the outlines need at a few of `moments`, of which there is at least one.
-std::size_t typical_bytes(std::span<const MeasuredMoment> moments, OutlineMeter& meter);
+/// The most that the outlines need at eight of `moments`, or fewer, of which there is at least one.
+std::size_t peak_bytes(std::span<const MeasuredMoment> moments, OutlineMeter& meter);
 
 /// A text for each input of a scene; empty where the input is none.
 using LargestTexts = std::vector<std::string>;

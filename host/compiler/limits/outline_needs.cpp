@@ -178,7 +178,7 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
     std::size_t max_borders = 0;
     std::size_t max_cache_bytes = 0;
     const std::vector<LargestTexts> all_texts = largest_texts(*view, moments, meter);
-    const std::size_t pictures = affordable_pictures(*view, typical_bytes(moments, meter));
+    const std::size_t pictures = affordable_pictures(*view, peak_bytes(moments, meter));
     thin_out(moments, std::max(pictures / all_texts.size(), min_moments));
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
