@@ -57,10 +57,11 @@ public:
             take_request(report, now);
     }
 
-    /// The computer has sent something, or could not, since a report was just being taken.
+    /// Notes that the computer has sent something. Must also be called when a report has been taken: the
+    /// computer could not send anything while it worked.
     void hear(Microseconds now) { silence_.hear(now); }
 
-    /// Lets time pass: at least every few seconds, and often if silences are to be noticed in time.
+    /// Lets time pass: must be called every few seconds, and often if silences are to be noticed in time.
     void pass(Microseconds now)
     {
         if (const auto tag = upload_.drop_overdue(now))

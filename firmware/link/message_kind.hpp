@@ -41,8 +41,8 @@ enum class Kind : std::uint8_t {
 };
 
 /// Whether requests of that kind and their answers end with a checksum (checksum.hpp): those that change what
-/// a device keeps, those that are dangerous when nobody has asked for them, and what slots hold, by which a
-/// computer chooses one.
+/// lies in slots and in RAM, those that tell what a slot holds, by which a computer chooses one, and those
+/// that are dangerous when nobody has asked for them, or when a laser relies on them.
 constexpr bool has_checksum(Kind kind)
 {
     switch (kind) {
@@ -52,12 +52,31 @@ constexpr bool has_checksum(Kind kind)
     case Kind::slot:
     case Kind::erase:
     case Kind::choose:
+    case Kind::play:
+    case Kind::silence:
     case Kind::arm:
     case Kind::boot_loader:
         return true;
-    default:
-        return false;
+    case Kind::hello:
+    case Kind::names:
+    case Kind::playing:
+    case Kind::statistics:
+    case Kind::input:
+    case Kind::data: // has that of the whole scene
+    case Kind::pause:
+    case Kind::resume:
+    case Kind::seek:
+    case Kind::speed:
+    case Kind::brightness:
+    case Kind::inputs:
+    case Kind::text:
+    case Kind::points:
+    case Kind::drawing:
+    case Kind::disarm:
+    case Kind::error:
+        break;
     }
+    return false;
 }
 
 /// Names of scenes and clips.

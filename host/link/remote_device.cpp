@@ -121,10 +121,12 @@ link::Capabilities hello(Session& session)
     if (capabilities.protocol == link::protocol_version)
         return capabilities;
     const bool is_newer = capabilities.protocol > link::protocol_version;
-    throw Failure{"its firmware speaks version " + std::to_string(capabilities.protocol) +
-                      " of the link, and this kfast version " + std::to_string(link::protocol_version) +
-                      (is_newer ? ": update kfast" : ": update the firmware"),
-                  ExitStatus::wrong_version};
+    throw Failure{
+        "its firmware speaks version " + std::to_string(capabilities.protocol) +
+            " of the link, and this kfast version " + std::to_string(link::protocol_version) +
+            (is_newer ? ": update kfast"
+                      : ": update the firmware: hold BOOTSEL while you plug it in, and 'kfast flash' it"),
+        ExitStatus::wrong_version};
 }
 
 std::string name_of(const link::Capabilities& capabilities, const std::string& otherwise)

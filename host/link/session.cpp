@@ -146,7 +146,7 @@ std::optional<Report> Session::hear_until(std::uint8_t tag, Milliseconds end)
 void Session::remember_failure(const Report& report)
 {
     const auto failure = link::message_of<link::Failure>(report);
-    if (failure && report.tag() == 0 && !pending_failure_)
+    if (failure && failure->status != Status::bad_report && report.tag() == 0 && !pending_failure_)
         pending_failure_ = failure;
 }
 
@@ -196,7 +196,8 @@ void Session::take_leave(const Report& report)
         const Milliseconds end = pipe_.now() + patience_when_leaving;
         while (pipe_.now() < end) {
             const auto answer = pipe_.receive(end - pipe_.now());
-            if (answer && answer->tag() == report.tag() && answer->kind() == (report.kind() | from_device))
+            if (answer && link::is_whole(*answer) && answer->tag() == report.tag() &&
+                answer->kind() == (report.kind() | from_device))
                 return;
         }
     } catch (const Failure&) { // nobody is there any more

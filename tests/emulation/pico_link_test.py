@@ -74,7 +74,7 @@ class Bench:
 
 def check_tells(bench):
     told = bench.tell("tells").report["usb"]
-    expect(told["protocol"] == 1 and told["slots"] == 8 and told["panel"] == [240, 240], f"the board is {told}")
+    expect(told["protocol"] == 2 and told["slots"] == 8 and told["panel"] == [240, 240], f"the board is {told}")
     expect(told["serial"] == SERIAL and told["names"][2] == SERIAL, f"its number is {told['serial']}")
     expect(told["board"] == "pico" and told["display"] == "st7789" and told["firmware"], f"it calls itself {told}")
     expect(told["ram"] >= 16 * 1024 and told["pool"] == told["room"] == 0x17C000, f"its memory is {told}")

@@ -18,7 +18,8 @@ export const kind = {
 };
 const fromDevice = 0x80;
 /** What carries a checksum in its last two bytes, and its answers. */
-const checksummed = [kind.begin, kind.commit, kind.cancel, kind.slot, kind.erase, kind.choose, kind.arm, kind.bootLoader];
+const checksummed = [kind.begin, kind.commit, kind.cancel, kind.slot, kind.erase, kind.choose, kind.play,
+    kind.silence, kind.arm, kind.bootLoader];
 
 export const u16 = (value) => [value & 0xff, (value >>> 8) & 0xff];
 export const u32 = (value) => [...u16(value), ...u16(value >>> 16)];

@@ -76,9 +76,9 @@ private:
     Bytes invented()
     {
         Bytes bytes = garbage();
-        constexpr std::array kinds{link::Kind::begin,      link::Kind::commit, link::Kind::cancel,
-                                   link::Kind::erase,      link::Kind::choose, link::Kind::arm,
-                                   link::Kind::boot_loader};
+        constexpr std::array kinds{link::Kind::begin, link::Kind::commit,  link::Kind::cancel,
+                                   link::Kind::erase, link::Kind::choose,  link::Kind::arm,
+                                   link::Kind::play,  link::Kind::silence, link::Kind::boot_loader};
         bytes[0] = static_cast<std::byte>(kinds[below(kinds.size())]);
         bytes[1] = static_cast<std::byte>(below(4));
         bytes[2] = static_cast<std::byte>(below(8));

@@ -17,8 +17,11 @@ public:
     {
         ++now_;
         if (answer)
-            if (const auto reply = answer(report))
+            if (const auto reply = answer(report)) {
                 answers_.push_back(link::with_checksum(*reply));
+                if (on_the_way)
+                    on_the_way(answers_.back());
+            }
     }
     std::optional<Report> receive(Milliseconds patience) override
     {
@@ -33,6 +36,7 @@ public:
     Milliseconds now() const override { return now_; }
 
     std::function<std::optional<Report>(const Report&)> answer;
+    std::function<void(Report&)> on_the_way; ///< what happens to an answer
 
 private:
     std::deque<Report> answers_;

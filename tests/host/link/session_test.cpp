@@ -156,6 +156,50 @@ TEST_CASE("what is told without a tag fails aloud")
     CHECK_THROWS_AS(session.throw_pending_failure(), Refusal);
 }
 
+TEST_CASE("requests have their checksums, and an answer that came damaged is asked for again")
+{
+    ScriptedPipe pipe;
+    int requests = 0;
+    pipe.answer = [&](const Report& request) {
+        CHECK(is_whole(request));
+        ++requests;
+        return std::optional{report_of(SlotContents{.slot = 1, .size = 500}, request.tag())};
+    };
+    pipe.on_the_way = [&](Report& report) {
+        if (requests == 1)
+            report.bytes[4] ^= std::byte{1};
+    };
+    Session session{pipe, {}};
+    CHECK(session.ask<SlotContents>(AskSlot{.slot = 1}).size == 500);
+    CHECK(requests == 2);
+}
+
+TEST_CASE("who takes leave does not take a damaged answer for one")
+{
+    ScriptedPipe pipe;
+    pipe.answer = [](const Report& request) {
+        CHECK(is_whole(request));
+        return std::optional{report_of(Done<Kind::cancel>{}, request.tag())};
+    };
+    pipe.on_the_way = [](Report& report) { report.bytes[30] = std::byte{9}; };
+    Session session{pipe, {}};
+    const Milliseconds begin = session.now();
+    session.take_leave(report_of(Cancel{}, session.new_tag()));
+    CHECK(session.now() - begin >= Milliseconds{500}); // it has waited for another one
+}
+
+TEST_CASE("that a value came damaged is no failure of the values that follow")
+{
+    ScriptedPipe pipe;
+    pipe.answer = [](const Report& request) {
+        return std::optional{
+            report_of(link::Failure{.request = request.kind(), .status = Status::bad_report}, request.tag())};
+    };
+    Session session{pipe, {}};
+    session.post(Inputs{});
+    session.throw_pending_failure();
+}
+
 TEST_CASE("a device of another version of the link is not asked anything more")
 {
     for (const std::uint8_t version :
