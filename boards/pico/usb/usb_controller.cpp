@@ -146,27 +146,31 @@ void UsbController::stall(Endpoint endpoint)
 
 void UsbController::set_address(std::uint8_t address) { addr_endp.write(address); }
 
-UsbController::Event UsbController::next_line_event()
+bool UsbController::take_bus_reset()
 {
-    const std::uint32_t events = ints.read();
-    if ((events & int_bus_reset) != 0) {
-        sie_status.clear(sie_status_bus_reset | sie_status_suspended | sie_status_resume);
-        addr_endp.write(0);
-        for (const Endpoint endpoint : endpoints)
-            forget(endpoint, false);
-        return Event::bus_reset;
-    }
-    // Which of both came last is not known when they are found together, as after flash has been erased:
-    // asleep is what makes a laser dark, and any packet shows that the computer is awake.
-    if ((events & int_dev_resume_from_host) != 0) {
+    if ((ints.read() & int_bus_reset) == 0)
+        return false;
+    sie_status.clear(sie_status_bus_reset | sie_status_suspended | sie_status_resume);
+    addr_endp.write(0);
+    for (const Endpoint endpoint : endpoints)
+        forget(endpoint, false);
+    return true;
+}
+
+bool UsbController::take_resume()
+{
+    const bool is_there = (ints.read() & int_dev_resume_from_host) != 0;
+    if (is_there)
         sie_status.clear(sie_status_resume);
-        return Event::resumed;
-    }
-    if ((events & int_dev_suspend) != 0) {
+    return is_there;
+}
+
+bool UsbController::take_suspend()
+{
+    const bool is_there = (ints.read() & int_dev_suspend) != 0;
+    if (is_there)
         sie_status.clear(sie_status_suspended);
-        return Event::suspended;
-    }
-    return Event::none;
+    return is_there;
 }
 
 std::uint32_t UsbController::take_finished() const

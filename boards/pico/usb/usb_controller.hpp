@@ -43,32 +43,25 @@ public:
     void dispatch_events(Device& device)
     {
         take_back_broken_off();
-        dispatch_line_event(device);
-        dispatch_finished(device);
+        if (take_bus_reset())
+            device.bus_reset();
+        dispatch_finished(device); // before the computer fell asleep
+        dispatch_sleep(device);
         std::array<std::byte, usb::setup_bytes> packet;
         if (read_setup(packet))
             device.setup(packet);
     }
 
 private:
-    enum class Event : std::uint8_t { none, bus_reset, suspended, resumed };
-
+    /// Which of both came last is not known when they are found together, as after flash has been erased:
+    /// asleep is what makes a laser dark, and the next packet shows that the computer is awake.
     template <class Device>
-    void dispatch_line_event(Device& device)
+    static void dispatch_sleep(Device& device)
     {
-        switch (next_line_event()) {
-        case Event::none:
-            break;
-        case Event::bus_reset:
-            device.bus_reset();
-            break;
-        case Event::suspended:
-            device.suspended();
-            break;
-        case Event::resumed:
+        if (take_resume())
             device.resumed();
-            break;
-        }
+        if (take_suspend())
+            device.suspended();
     }
 
     template <class Device>
@@ -90,7 +83,9 @@ private:
         usb::Endpoint::control_in, usb::Endpoint::control_out, usb::Endpoint::reports_in,
         usb::Endpoint::reports_out};
 
-    Event next_line_event();
+    bool take_bus_reset();
+    static bool take_resume();
+    static bool take_suspend();
     std::uint32_t take_finished() const;
     bool read_setup(std::span<std::byte, usb::setup_bytes> packet);
 
