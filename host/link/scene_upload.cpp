@@ -61,10 +61,12 @@ std::uint32_t crc_of(std::span<const std::byte> bytes)
     return crc.value();
 }
 
-/// Whether the upload is over without having failed for good.
+/// Whether the upload is over without having failed for good. Where flash did not hold, the device knows by
+/// now, and puts it elsewhere.
 bool is_lost(Status status)
 {
-    return status == Status::no_transfer || status == Status::timed_out || status == Status::bad_checksum;
+    return status == Status::no_transfer || status == Status::timed_out || status == Status::bad_checksum ||
+           status == Status::flash_failed;
 }
 
 class SceneUpload {

@@ -200,6 +200,29 @@ TEST_CASE("a device that never has all blocks, as it says, is given up")
     CHECK_THROWS_AS(upload_scene(session, begin_in_ram(scene), scene, nobody), Refusal);
 }
 
+TEST_CASE("what flash does not hold is sent once more, to where it does; but not for ever")
+{
+    const Scene scene = padded_scene(100, 3);
+    ScriptedPipe pipe;
+    int begun = 0;
+    int failing = 0;
+    pipe.answer = [&](const Report& report) -> std::optional<Report> {
+        if (message_of<Begin>(report))
+            return ++begun, report_of(Begun{.next = 2, .window = 8}, report.tag());
+        if (begun <= failing)
+            return report_of(link::Failure{.request = report.kind(), .status = Status::flash_failed},
+                             report.tag());
+        return report_of(Done<Kind::commit>{}, report.tag());
+    };
+    Session session{pipe, {}};
+    failing = 1;
+    upload_scene(session, begin_in_slot(1, "s", scene), scene, nobody);
+    CHECK(begun == 2);
+    failing = 100;
+    CHECK_THROWS_AS(upload_scene(session, begin_in_slot(1, "s", scene), scene, nobody), Refusal);
+    CHECK(begun == 2 + 4);
+}
+
 TEST_CASE("progress is told and ends with all")
 {
     const Scene scene = padded_scene(5000, 3);
