@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -214,6 +215,15 @@ void AtomicFile::open_temporary()
         if (!temporary_ && error_number != EEXIST)
             fail(error_number);
     }
+    keep_permissions();
+}
+
+/// What takes the place of a file that others may not read is not for them either.
+void AtomicFile::keep_permissions() const
+{
+    struct stat before = {};
+    if (::stat(target_.c_str(), &before) == 0 && ::fchmod(descriptor_, before.st_mode & 07777) != 0)
+        fail(errno);
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes)

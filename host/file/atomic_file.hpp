@@ -23,6 +23,8 @@ enum class Sync {
 /// synchronize a folder may lose the new name. If nothing but that fails, commit() throws, and the new
 /// content is there all the same.
 ///
+/// It has the permissions of the file that it replaces.
+///
 /// A target that is no regular file (a pipe, /dev/null) is written straight to. Every member but the
 /// destructor throws Failure, which names `target`, when the disk is full, the folder is not writable and so
 /// on.
@@ -45,6 +47,7 @@ public:
 private:
     void open_special();
     void open_temporary();
+    void keep_permissions() const;
     [[noreturn]] void fail(int error_number) const;
 
     std::filesystem::path target_;

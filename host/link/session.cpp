@@ -6,6 +6,7 @@
 #include "host/text/characters.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -200,7 +201,7 @@ void Session::take_leave(const Report& report)
                 answer->kind() == (report.kind() | from_device))
                 return;
         }
-    } catch (const Failure&) { // nobody is there any more
+    } catch (const std::exception&) { // nobody is there any more, or there is no memory
     }
 }
 

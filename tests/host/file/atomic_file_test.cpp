@@ -53,6 +53,17 @@ TEST_CASE("a file appears with its whole content and nothing beside it")
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("a file has the permissions of the one that it replaces")
+{
+    const TemporaryFolder folder;
+    write_file(folder / "a", as_bytes("before"));
+    for (const fs::perms permissions : {fs::perms{0600}, fs::perms{0640}, fs::perms{0755}}) {
+        fs::permissions(folder / "a", permissions);
+        write_file(folder / "a", as_bytes("after"));
+        CHECK(fs::status(folder / "a").permissions() == permissions);
+    }
+}
+
 TEST_CASE("until commit there is no file, and an earlier one stays")
 {
     const TemporaryFolder folder;
