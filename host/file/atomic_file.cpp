@@ -222,7 +222,9 @@ void AtomicFile::open_temporary()
 void AtomicFile::keep_permissions() const
 {
     struct stat before = {};
-    if (::stat(target_.c_str(), &before) == 0 && ::fchmod(descriptor_, before.st_mode & 07777) != 0)
+    if (::stat(target_.c_str(), &before) != 0 || ::fchmod(descriptor_, before.st_mode & 0777) == 0)
+        return;
+    if (errno != EPERM && errno != ENOTSUP) // file systems without permissions refuse to change any
         fail(errno);
 }
 
