@@ -2,6 +2,7 @@
 
 #include "core/bytes/result.hpp"
 #include "core/player.hpp"
+#include "tests/chosen_features.hpp"
 #include "tests/compiled.hpp"
 
 #include <doctest/doctest.h>
@@ -62,22 +63,7 @@ object o fill=red live=area { key 0 y=0; key 4 y=6 })"},
 
 Features only(FeatureSet set)
 {
-    Features features = every_feature;
-    const auto leave_out = [&set](Feature feature, auto& code) {
-        if (!set.has(feature))
-            code = nullptr;
-    };
-    leave_out(Feature::strokes, features.strokes);
-    leave_out(Feature::tweens, features.tweens);
-    leave_out(Feature::bones, features.bones);
-    leave_out(Feature::backbones, features.backbones);
-    leave_out(Feature::depth, features.depth);
-    leave_out(Feature::wires, features.wires);
-    leave_out(Feature::paths, features.paths);
-    leave_out(Feature::smooth, features.smooth);
-    leave_out(Feature::texts, features.texts);
-    leave_out(Feature::drawings, features.drawings);
-    return features;
+    return features_where([set](Feature feature) { return set.has(feature); });
 }
 
 std::vector<std::byte> played(std::span<const std::byte> scene, const Features& features)

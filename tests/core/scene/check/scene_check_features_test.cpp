@@ -1,6 +1,7 @@
 #include "core/features.hpp"
 
 #include "core/scene/scene_view.hpp"
+#include "tests/chosen_features.hpp"
 #include "tests/core/raw_bones.hpp"
 #include "tests/core/raw_drawing.hpp"
 #include "tests/core/raw_label.hpp"
@@ -15,22 +16,7 @@ namespace {
 
 Features all_but(Feature feature)
 {
-    Features features = every_feature;
-    const auto leave_out = [feature](Feature each, auto& code) {
-        if (each == feature)
-            code = nullptr;
-    };
-    leave_out(Feature::strokes, features.strokes);
-    leave_out(Feature::tweens, features.tweens);
-    leave_out(Feature::bones, features.bones);
-    leave_out(Feature::backbones, features.backbones);
-    leave_out(Feature::depth, features.depth);
-    leave_out(Feature::wires, features.wires);
-    leave_out(Feature::paths, features.paths);
-    leave_out(Feature::smooth, features.smooth);
-    leave_out(Feature::texts, features.texts);
-    leave_out(Feature::drawings, features.drawings);
-    return features;
+    return features_where([feature](Feature each) { return each != feature; });
 }
 
 /// Whether it is sound, and refused by name where the feature is missing.
