@@ -2,8 +2,6 @@
 
 #include "host/program/failure.hpp"
 
-#include <string>
-
 namespace kfast::art {
 namespace {
 
@@ -30,6 +28,13 @@ void Budget::check_depth(int depth)
     if (depth > deepest)
         throw Failure("layers and groups lie more than " + std::to_string(deepest) +
                       " deep in each other, or use themselves: flatten some of them");
+}
+
+void Budget::check_parsed(const std::string& file, std::size_t count, const char* noun)
+{
+    if (count > max_parsed)
+        throw Failure(file + ": more than " + std::to_string(max_parsed) + ' ' + noun +
+                      ": take something out of the file");
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace kfast::art {
 
@@ -13,6 +14,8 @@ public:
     static constexpr std::size_t max_keys = std::size_t{1} << 20;   ///< of channels
     /// Points of drawings, each time they are computed to find keys.
     static constexpr std::size_t max_computed_points = std::size_t{1} << 26;
+    /// Values of JSON, tags of XML: a parser takes up to 100 bytes for each, however short its text is.
+    static constexpr std::size_t max_parsed = std::size_t{1} << 21;
     static constexpr int deepest = 64; ///< nested groups, layers and uses
 
     void take_node();
@@ -21,6 +24,8 @@ public:
     void take_computed_points(std::size_t count);
     std::size_t computed_points_left() const { return max_computed_points - computed_points_; }
     static void check_depth(int depth);
+    /// Asked before the file of that name is parsed; `noun` is what there are `count` of.
+    static void check_parsed(const std::string& file, std::size_t count, const char* noun);
 
 private:
     std::size_t nodes_ = 0;

@@ -1,5 +1,6 @@
 #include "host/lottie/values/json.hpp"
 
+#include "host/art/budget.hpp"
 #include "host/program/failure.hpp"
 
 #include <cctype>
@@ -112,10 +113,12 @@ namespace {
                   text);
 }
 
-/// Done before parsing, for the parser keeps what it has read on a stack of its own.
-void check_depth(const SourceText& source)
+/// Done before parsing, for the parser keeps what it has read on a stack of its own, and each value takes
+/// more memory than its text.
+void check_extent(const SourceText& source)
 {
     int depth = 0;
+    std::size_t values = 1; // at least as many as there are: each list, and what follows a comma
     bool in_text = false;
     for (std::size_t i = 0; i < source.text.size(); ++i) {
         const char sign = source.text[i];
@@ -125,14 +128,18 @@ void check_depth(const SourceText& source)
         } else if (sign == '"') {
             in_text = true;
         } else if (sign == '[' || sign == '{') {
+            ++values;
             if (++depth > deepest_json)
                 fail(source, i + 1,
                      "lists and objects lie more than " + std::to_string(deepest_json) +
                          " deep in each other: flatten groups or precompositions");
         } else if (sign == ']' || sign == '}') {
             --depth;
+        } else if (sign == ',') {
+            ++values;
         }
     }
+    art::Budget::check_parsed(source.name, values, "values of JSON");
 }
 
 /// "…: syntax error while parsing value - unexpected …": what follows the dash.
@@ -188,7 +195,7 @@ bool find_path(const Json& from, const Json* place, std::string& path)
 
 Json parse_json(const SourceText& source)
 {
-    check_depth(source);
+    check_extent(source);
     try {
         return Json::parse(source.text);
     } catch (const Json::parse_error& error) {

@@ -48,7 +48,7 @@ int whole_at(const Json& owner, const char* name, int default_value);
 /// How deeply lists and objects may be nested.
 inline constexpr int deepest_json = 256;
 
-/// Throws Failure with line and column if the text is no JSON, or nested too deeply.
+/// Throws Failure with line and column if the text is no JSON, nested too deeply, or of too many values.
 Json parse_json(const SourceText& source);
 
 /// Where `place` is within `root`, such as layers[3].ks.p; empty if it is `root`, or not in it.

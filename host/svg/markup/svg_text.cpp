@@ -1,8 +1,10 @@
 #include "host/svg/markup/svg_text.hpp"
 
+#include "host/art/budget.hpp"
 #include "host/program/failure.hpp"
 #include "host/svg/markup/length.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -160,6 +162,7 @@ std::string beginning_small(std::string text)
 pugi::xml_document parsed(const SourceText& source)
 {
     const std::string text = with_entities(source);
+    art::Budget::check_parsed(source.name, static_cast<std::size_t>(std::ranges::count(text, '<')), "tags");
     pugi::xml_document document;
     const auto result = document.load_buffer(text.data(), text.size());
     if (!result)

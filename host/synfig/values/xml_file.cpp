@@ -1,5 +1,6 @@
 #include "host/synfig/values/xml_file.hpp"
 
+#include "host/art/budget.hpp"
 #include "host/program/failure.hpp"
 
 #include <algorithm>
@@ -51,6 +52,8 @@ private:
 
 XmlFile::XmlFile(const SourceText& source) : source_{source}
 {
+    art::Budget::check_parsed(source.name, static_cast<std::size_t>(std::ranges::count(source.text, '<')),
+                              "tags");
     const auto parsed = document_.load_buffer(source.text.data(), source.text.size(), pugi::parse_default,
                                               pugi::encoding_utf8);
     if (!parsed)

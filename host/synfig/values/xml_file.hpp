@@ -14,7 +14,7 @@ namespace kfast::synfig {
 /// The elements of a file, with an index of those that others refer to.
 class XmlFile {
 public:
-    /// Throws Failure when the text is no XML, or nests too deeply.
+    /// Throws Failure when the text is no XML, nests too deeply, or has too many tags.
     explicit XmlFile(const SourceText& source);
 
     pugi::xml_node root() const { return document_.document_element(); }

@@ -20,6 +20,17 @@ TEST_CASE("a text that is too deep is refused before it takes any memory")
     CHECK(failure_of(R"({"a": ")" + std::string(1000, '[') + "\"}").find("deep") == std::string::npos);
 }
 
+TEST_CASE("a text of too many values is refused before they take any memory")
+{
+    std::string values(2 * 2'097'149, ',');
+    for (std::size_t i = 0; i < values.size(); i += 2)
+        values[i] = '0';
+    values.back() = ']';
+    const std::string too_many = "a.json: more than 2097152 values of JSON: take something out of the file";
+    CHECK(failure_of(R"({"a": 1, "b": [)" + values + "}") != too_many);
+    CHECK(failure_of(R"({"a": 1, "b": [0,)" + values + "}") == too_many);
+}
+
 TEST_CASE("what is missing or of another kind is refused by its path")
 {
     CHECK(failure_of("[]") == "a.json: this is no animation of Lottie: it has no \"layers\"");

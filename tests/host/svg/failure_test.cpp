@@ -48,6 +48,13 @@ TEST_CASE("what is no XML is refused with its line and column")
     CHECK_FALSE(failure_of(std::string("<svg\0/>", 7)).empty());
 }
 
+TEST_CASE("a text of too many tags is refused before they take any memory")
+{
+    CHECK(failure_of(drawing(std::string(2'097'150, '<'))).find("this is no XML") != std::string::npos);
+    CHECK(failure_of(drawing(std::string(2'097'151, '<'))).find("more than 2097152 tags") !=
+          std::string::npos);
+}
+
 TEST_CASE("what is no drawing is refused")
 {
     CHECK(failure_of("<html/>") == "test.svg: there is no drawing in it: its outermost element is not <svg>");

@@ -31,6 +31,13 @@ TEST_CASE("failures name the line and the column")
     CHECK(failure(text).find("\"big\" is no number") != std::string::npos);
 }
 
+TEST_CASE("a text of too many tags is a failure before they take any memory")
+{
+    CHECK(failure(std::string(2'097'152, '<')).find("this is no XML") != std::string::npos);
+    CHECK(failure(std::string(2'097'153, '<')) ==
+          "figure.sif: more than 2097152 tags: take something out of the file");
+}
+
 TEST_CASE("ids that are not there, and values that contain themselves, are failures")
 {
     CHECK(failure(canvas("<layer type=\"circle\"><param name=\"radius\" use=\"size\"/></layer>"))
