@@ -13,10 +13,10 @@ namespace {
 constexpr std::int32_t max_even_moments = 4000;
 constexpr std::int32_t moments_of_frame = 4;
 constexpr int input_combinations = 1500;
-/// For all pictures together, about one and a half seconds on a computer: in the unit of SceneView::cost(),
+/// For all pictures together, about a second on a computer: in the unit of SceneView::cost(),
 /// which does not know how many pieces large curves have, and in bytes of outlines, which tell that.
 constexpr std::size_t max_cost = 3U << 21;
-constexpr std::size_t max_bytes_together = std::size_t{1} << 29;
+constexpr std::size_t max_bytes_together = std::size_t{1} << 28;
 
 /// Collects times of one driver, which goes from 0 to `length`.
 class DriverMoments {
