@@ -45,7 +45,7 @@ class ListTest(DeviceTest):
                 (0x4B461102, "once, while it played slot 2\n",
                  {"restarts": 1, "home": "slot", "slot": 2, "safe_mode": False}),
                 (0x4B462102, "twice in a row, at last while it played slot 2\n"
-                             "  safe mode   plays its built-in scene; 'kfast choose' what plays at its start, or 'kfast erase 2'\n",
+                             "  safe mode   plays its built-in scene, if any; 'kfast choose' what plays at its start, or 'kfast erase 2'\n",
                  {"restarts": 2, "home": "slot", "slot": 2, "safe_mode": True}),
                 (0x4B4630FF, "3 times in a row, at last while it played the built-in scene\n"
                              "  safe mode   plays nothing by itself; 'kfast choose' what plays at its start\n",
