@@ -7,6 +7,7 @@
 #include "core/pose/posed_bones.hpp"
 #include "core/prepared/preparer.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
+#include "core/raster/outline/trimmed_outline.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/track_view.hpp"
 #include "core/tracer.hpp"
@@ -36,6 +37,7 @@ const TextFeature kfast_texts{.check = plain_function<&SceneCheck::check_label>,
 const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_default>,
                                     .show_default = plain_function<&InputDrawings::show_default>,
                                     .trace = plain_function<&Tracer::trace_drawing>};
+const TrimFeature kfast_trims{.trace = trace_trimmed};
 
 namespace kfast {
 
@@ -48,7 +50,8 @@ const Features every_feature{.strokes = &kfast_strokes,
                              .paths = &kfast_paths,
                              .smooth = &kfast_smooth,
                              .texts = &kfast_texts,
-                             .drawings = &kfast_drawings};
+                             .drawings = &kfast_drawings,
+                             .trims = &kfast_trims};
 
 namespace {
 
@@ -60,6 +63,7 @@ constexpr TextFeature texts_of_beams{.check = plain_function<&SceneCheck::check_
 constexpr DrawingFeature drawings_of_beams{.check = plain_function<&SceneCheck::check_default>,
                                            .show_default = plain_function<&InputDrawings::show_default>,
                                            .trace = nullptr};
+constexpr TrimFeature trims_of_beams{.trace = nullptr};
 
 }
 
@@ -72,6 +76,7 @@ const Features every_feature_but_outlines{.strokes = &strokes_of_beams,
                                           .paths = &kfast_paths,
                                           .smooth = &kfast_smooth,
                                           .texts = &texts_of_beams,
-                                          .drawings = &drawings_of_beams};
+                                          .drawings = &drawings_of_beams,
+                                          .trims = &trims_of_beams};
 
 }

@@ -23,16 +23,17 @@ enum class Feature : std::uint8_t {
     smooth,    ///< tracks that go smoothly through their keys
     texts,     ///< texts among the inputs
     drawings,  ///< drawings among the inputs
+    trims,     ///< strokes that are drawn in part
 };
 
-inline constexpr std::size_t feature_count = 10;
+inline constexpr std::size_t feature_count = 11;
 
 /// The error of a program that has not the feature, for a scene that needs it.
 constexpr Error error_without(Feature feature)
 {
     return static_cast<Error>(static_cast<int>(Error::needs_strokes) + static_cast<int>(feature));
 }
-static_assert(error_without(Feature{feature_count - 1}) == Error::needs_drawings);
+static_assert(error_without(Feature{feature_count - 1}) == Error::needs_trims);
 
 class FeatureSet {
 public:
@@ -58,6 +59,7 @@ struct PathFeature;
 struct SmoothFeature;
 struct TextFeature;
 struct DrawingFeature;
+struct TrimFeature;
 
 /// What a program links of the player: shapes, groups, keys, laws and tracks always, and the code of the
 /// features that are not null. What nothing refers to, a linker leaves out (-ffunction-sections,
@@ -78,6 +80,7 @@ struct Features {
     const SmoothFeature* smooth = nullptr;
     const TextFeature* texts = nullptr;
     const DrawingFeature* drawings = nullptr;
+    const TrimFeature* trims = nullptr;
 
     constexpr bool has(Feature feature) const;
 };
@@ -111,6 +114,8 @@ constexpr bool Features::has(Feature feature) const
         return texts != nullptr;
     case Feature::drawings:
         return drawings != nullptr;
+    case Feature::trims:
+        return trims != nullptr;
     }
     return false;
 }
@@ -148,6 +153,7 @@ struct Pen;
 struct Point;
 struct Space;
 struct TextInput;
+struct Trim;
 struct Turning;
 
 namespace raster {
@@ -209,6 +215,11 @@ struct DrawingFeature {
     void (*trace)(Tracer&, SceneWalk&);
 };
 
+struct TrimFeature {
+    void (*trace)(const Trim&, const Affine& placement, ObjectOutline&,
+                  FunctionRef<void(const Affine&, ObjectOutline&)> trace);
+};
+
 }
 
 // The code of each feature, under names that C has, too.
@@ -224,5 +235,6 @@ extern const kfast::PathFeature kfast_paths;
 extern const kfast::SmoothFeature kfast_smooth;
 extern const kfast::TextFeature kfast_texts;
 extern const kfast::DrawingFeature kfast_drawings;
+extern const kfast::TrimFeature kfast_trims;
 }
 // NOLINTEND(readability-redundant-declaration)

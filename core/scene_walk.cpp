@@ -12,9 +12,6 @@ namespace {
 
 constexpr std::uint32_t opaque = 255;
 
-/// Whether the property moves, bends or widens something.
-bool shapes(Property property) { return places_item(property) || property == Property::width; }
-
 }
 
 SceneWalk::SceneWalk(const SceneOnPanel& on_panel, Opacity opacity)
@@ -57,7 +54,7 @@ bool SceneWalk::enter(const Node& node)
     for (const TrackState& track : prepared.tracks(node)) {
         const Dependence of_track = prepared.dependence(track);
         whole_ = whole_ | of_track;
-        if (shapes(static_cast<Property>(track.property)))
+        if (shapes_item(static_cast<Property>(track.property)))
             dependence = dependence | of_track;
     }
     const std::uint32_t own = ItemState{on_panel_.scene, prepared, node}.opacity();

@@ -29,6 +29,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/prepared/key_timeline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/every_feature.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/stroke_trimmer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/track.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_live.cpp
@@ -70,5 +71,6 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_items.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_objects.cpp
     ${CMAKE_CURRENT_LIST_DIR}/raster/outline/stroke_outline.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/raster/outline/trimmed_outline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tracer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/pose/tween_cache.cpp)

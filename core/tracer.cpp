@@ -97,7 +97,7 @@ void Tracer::trace_object(SceneWalk& walk)
     const ObjectStrokes strokes{on_panel_, object};
     if (object.has_depths)
         return on_panel_.scene.features().wires->trace(*this, strokes, walk);
-    if (const auto deformer = strokes.rigid_deformation())
+    if (const auto deformer = object.is_trimmed ? std::nullopt : strokes.rigid_deformation())
         if (const auto placement = rigid_placement(*deformer, walk.space())) {
             const bool moves = object.deformer != Deformer::none || walk.place_dependence().keys != 0;
             return add_rigid_layers(walk, *placement,
@@ -193,7 +193,7 @@ void Tracer::trace_label(SceneWalk& walk)
 /// As add_layers(), but outlined upright and placed, as drawings of the scene are.
 void Tracer::add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
-    if (const auto placement = rigid_placement({}, walk.space()))
+    if (const auto placement = walk.node().is_trimmed ? std::nullopt : rigid_placement({}, walk.space()))
         return add_rigid_layers(walk, *placement, [&](const Pen* pen) {
             picture_.outlines.place_contours(placement->map, nullptr, nullptr);
             trace_upright(*placement, pen, trace);
@@ -227,7 +227,13 @@ void Tracer::add_layers(SceneWalk& walk, const ViewProjection& view, const Affin
 {
     const ObjectStyle& style = walk.node().style;
     ObjectOutline outline{picture_.outlines, view};
-    const auto trace_placed = [&] { trace(placement, outline); };
+    const Trim trim = walk.node().is_trimmed ? walk.state().trim() : Trim{};
+    const auto trace_placed = [&] {
+        if (trim.is_whole())
+            trace(placement, outline);
+        else if (!trim.is_empty())
+            on_panel_.scene.features().trims->trace(trim, placement, outline, trace);
+    };
     if (style.is_filled)
         add_layer(Part::fill, walk, trace_placed);
     if (!style.is_stroked)

@@ -62,6 +62,20 @@ void BeamPen::end(Point, bool is_closed)
 
 void BeamPen::end_part() { end_stroke(); }
 
+/// Pieces at a seam go on in each other; what closes both, for the border of a fill, is drawn apart.
+void BeamPen::end_piece(Point hub, PieceEnd end)
+{
+    if (end == PieceEnd::open || end == PieceEnd::closed)
+        return this->end(hub, end == PieceEnd::closed);
+    const Place start = first_;
+    end_stroke();
+    if (end == PieceEnd::after_seam || ink_ != BeamInk::outline)
+        return;
+    begin(hub);
+    line_to(start);
+    end_stroke();
+}
+
 /// In pixels the origin is the upper left corner of the field.
 BeamPen::Place BeamPen::place(Point seen) const
 {

@@ -5,6 +5,7 @@
 #include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/pixel/paint_style.hpp"
 
 #include <cstdint>
@@ -35,6 +36,9 @@ public:
     void end(Point hub, bool is_closed);
     /// Ends a part of a broken stroke: it stays open, so that outlines have no seams where it has none.
     void end_part();
+    // And for the pieces of a trimmed stroke (PieceSink).
+    void end_piece(Point hub, PieceEnd end);
+    int pieces_of(const Segment& segment) const { return view_.pieces_of(segment); }
 
 private:
     /// As FieldPoint, but without limits.

@@ -3,6 +3,7 @@
 #include "core/beam/beam_pen.hpp"
 #include "core/beam/hatching.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/pose/input_drawing.hpp"
 #include "core/pose/label_layout.hpp"
@@ -93,13 +94,22 @@ void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
 template <class Trace>
 void BeamTracer::add_lines(SceneWalk& walk, const BeamStyle& beam, Trace trace)
 {
+    const Trim trim = walk.node().is_trimmed ? walk.state().trim() : Trim{};
+    if (trim.is_empty())
+        return;
+    const auto trace_trimmed = [&](const Affine& placement, auto& pen) {
+        if (trim.is_whole())
+            return trace(placement, pen);
+        StrokeTrimmer trimmer{trim, placement, PieceSink::of(pen)};
+        trimmer.run([&](StrokeTrimmer& pieces) { trace(Affine{}, pieces); });
+    };
     if (beam.has_hatching())
-        add_hatching(walk, beam, trace);
+        add_hatching(walk, beam, trace_trimmed);
     if (!beam.has_outline())
         return;
     const bool is_stroked = walk.node().style.is_stroked;
     draw(is_stroked ? BeamInk::stroke : BeamInk::outline,
-         is_stroked ? walk.state().stroke() : walk.state().fill(), walk, trace);
+         is_stroked ? walk.state().stroke() : walk.state().fill(), walk, trace_trimmed);
 }
 
 template <class Trace>

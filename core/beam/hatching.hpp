@@ -4,6 +4,7 @@
 #include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/scene/scene_view.hpp"
 
@@ -27,6 +28,9 @@ public:
     void begin(Point from);
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
+    // And for the pieces of a trimmed stroke (PieceSink).
+    void end_piece(Point hub, PieceEnd end) { this->end(hub, end == PieceEnd::closed); }
+    int pieces_of(const Segment& segment) const { return view_.pieces_of(segment); }
 
     /// Whether not all crossings have found room.
     bool is_full() const { return is_full_; }

@@ -237,4 +237,10 @@ Fixed ItemState::width() const
     return std::max(fine_pixels(prepared_.fine_value(scene_, *found)), Fixed{});
 }
 
+Trim ItemState::trim() const
+{
+    return Trim::between(fine(Property::trim_from), fine(Property::trim_to), fine(Property::trim_offset),
+                         static_cast<TrimMode>(from_fine(fine(Property::trim_mode))));
+}
+
 }

@@ -4,6 +4,7 @@
 #include "core/math/fixed.hpp"
 #include "core/math/point.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/prepared/prepared_scene.hpp"
 #include "core/raster/outline/contour_cache.hpp"
@@ -66,6 +67,8 @@ public:
     Colour stroke() const { return colour(Property::stroke, item_.style.stroke); }
     /// The width of the stroke; only of what is stroked.
     Fixed width() const;
+    /// Which part of its strokes is drawn.
+    Trim trim() const;
 
 private:
     const TrackState* track(Property property) const;

@@ -166,6 +166,14 @@ bool ItemView::is_placed() const
     return !all.at_end() && places_item(all.next().property);
 }
 
+bool ItemView::is_trimmed() const
+{
+    for (TrackCursor all = tracks; !all.at_end();)
+        if (is_of_trim(all.next().property))
+            return true;
+    return false;
+}
+
 ItemView ItemCursor::next()
 {
     ItemView item;

@@ -137,6 +137,8 @@ struct ItemView {
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
     /// Whether some track moves, rotates or scales it.
     bool is_placed() const;
+    /// Whether some track says that only a part of its strokes is drawn.
+    bool is_trimmed() const;
 };
 
 /// Reads a list of items, the lowest first.

@@ -30,21 +30,41 @@ enum class Property : std::uint8_t {
     fill,       ///< index of the palette; only of filled objects. Not in smooth tracks, as the two before
     stroke,     ///< index of the palette; only of stroked objects. Not in smooth tracks
     width,      ///< of the stroke, in 1/16 px; only of stroked objects
+    // Which part of the strokes of an object is drawn, in 1/65536 of their length: from one share to the
+    // other, both moved by an offset. Only of objects and live items that are no wire frames.
+    trim_from,
+    trim_to,
+    trim_offset,
+    trim_mode, ///< a TrimMode; does not tween
 };
 
-inline constexpr std::size_t property_count = 17;
+inline constexpr std::size_t property_count = 21;
 
 /// Whether it places an item, as the first of them do.
 constexpr bool places_item(Property property) { return property <= Property::along; }
 
+/// Whether it says which part of strokes is drawn.
+constexpr bool is_of_trim(Property property)
+{
+    return property >= Property::trim_from && property <= Property::trim_mode;
+}
+
+/// Whether it moves, bends, widens or cuts something, so that its outlines change.
+constexpr bool shapes_item(Property property)
+{
+    return places_item(property) || property == Property::width || is_of_trim(property);
+}
+
 inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
-inline constexpr std::int32_t path_whole = 65536; ///< the end of a path
+inline constexpr std::int32_t path_whole = 65536; ///< the end of a path, or of the strokes that are trimmed
+inline constexpr std::int32_t max_trim_offset = 16 * path_whole;
+inline constexpr std::int32_t max_trim_mode = 2;
 
 /// Whether a track of it may be smooth: its values are amounts.
 constexpr bool may_be_smooth(Property property)
 {
     return property != Property::order && property != Property::visible && property != Property::fill &&
-           property != Property::stroke;
+           property != Property::stroke && property != Property::trim_mode;
 }
 
 /// Whether it tweens by the law for y; all others by that for x.
@@ -64,6 +84,8 @@ constexpr std::int32_t value_without_track(Property property)
         return 255;
     case Property::visible:
         return 1;
+    case Property::trim_to:
+        return path_whole;
     default:
         return 0;
     }
@@ -93,7 +115,13 @@ constexpr ValueRange value_range(Property property)
     case Property::scale_y:
         return {-kfb::max_scale, kfb::max_scale};
     case Property::along:
+    case Property::trim_from:
+    case Property::trim_to:
         return {0, path_whole};
+    case Property::trim_offset:
+        return {-max_trim_offset, max_trim_offset};
+    case Property::trim_mode:
+        return {0, max_trim_mode};
     case Property::opacity:
     case Property::fill:
     case Property::stroke:

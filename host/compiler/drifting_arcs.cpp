@@ -92,8 +92,9 @@ double drift(const Sector& sector, const std::vector<Vec2>& drawn)
 struct Drift {
     double by = 0; ///< px
     Time time;
-    SourceSpan place;  ///< of the key that it leaves
-    double radius = 0; ///< px
+    SourceSpan place;           ///< of the key that it leaves
+    double radius = 0;          ///< px
+    bool is_alone_good = false; ///< it would stay on its circle in an object of its own
 };
 
 /// The sampled times between two keys: whole frames, or evenly over the range of an input.
@@ -144,20 +145,30 @@ private:
                                                   : match_by_count(key.drawing, next.drawing);
         for (const scene::SectorStroke& from : key.sectors)
             if (const scene::SectorStroke* const to = other_angles(from, next))
-                look_at(key, next, {from.sector, to->sector}, matched.strokes[from.stroke].front());
+                look_at(key, next, {from, *to}, matched.strokes[from.stroke].front());
     }
 
-    void look_at(const scene::Key& key, const scene::Key& next, const Pair<Sector>& sectors,
+    void look_at(const scene::Key& key, const scene::Key& next, const Pair<scene::SectorStroke>& sectors,
                  const SegmentPairs& stroke)
     {
         for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
             const ProgressXY progress = progress_between(key.time, next.time, time, key.laws);
-            const Sector sector = interpolated(sectors.a, sectors.b, progress);
+            const Sector sector = interpolated(sectors.a.sector, sectors.b.sector, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
             const double by = drift(sector, stroke_spots(stroke, progress, chords_of(radius)));
             if (by > worst_.by)
-                worst_ = {by, time, key.place, radius};
+                worst_ = {by, time, key.place, radius, is_trimmed_alone(sectors)};
         }
+    }
+
+    /// Whether trim_sectors() would replace it.
+    bool is_trimmed_alone(const Pair<scene::SectorStroke>& sectors) const
+    {
+        const auto fits = [&](const scene::SectorStroke& stroke) {
+            return stroke.form != scene::SectorForm::ring_piece && stroke.form == sectors.a.form &&
+                   stroke.sector.radius_x == stroke.sector.radius_y;
+        };
+        return object_.keys.front().drawing.strokes.size() > 1 && fits(sectors.a) && fits(sectors.b);
     }
 
     const scene::Object& object_;
@@ -201,8 +212,10 @@ void warn_of_drift(const scene::Scene& scene, const scene::Object& object, Diagn
                         "the arc leaves its circle on the way to the next key, by " +
                             rounded_text(std::round(worst.by * 10) / 10) + " px at " +
                             moment_text(scene, object.driver, worst.time) + ": points go straight",
-                        "add a key for every " + std::to_string(step_of(worst.radius)) +
-                            " degrees or so, with match=length, or turn an arc that keeps its length");
+                        worst.is_alone_good
+                            ? "draw it in an object of its own, where its ends go along the circle"
+                            : "add a key for every " + std::to_string(step_of(worst.radius)) +
+                                  " degrees or so, with match=length, or turn an arc that keeps its length");
 }
 
 void warn_of_drifts(const scene::Scene& scene, const std::vector<scene::Item>& items,

@@ -33,6 +33,7 @@ std::string svg_share(std::uint32_t opacity) { return decimal((opacity * parts +
 void SvgPath::begin(Point from)
 {
     start_ = last_ = from;
+    piece_begin_ = data_.size();
     write('M', from);
 }
 
@@ -55,6 +56,24 @@ void SvgPath::end(Point hub, bool is_closed)
         write('L', hub);
     if (is_closed)
         data_ += 'Z';
+}
+
+/// Both pieces at a seam become one, so that they are joined.
+void SvgPath::end_piece(Point hub, PieceEnd end)
+{
+    switch (end) {
+    case PieceEnd::open:
+    case PieceEnd::closed:
+        return this->end(hub, end == PieceEnd::closed);
+    case PieceEnd::after_seam: {
+        const std::size_t first = data_.find_first_of("CL", piece_begin_);
+        after_seam_ = first == data_.npos ? "" : data_.substr(first);
+        data_.resize(piece_begin_);
+        return;
+    }
+    case PieceEnd::at_seam:
+        data_ += after_seam_;
+    }
 }
 
 void SvgPath::write(char command, Point at)

@@ -2,6 +2,7 @@
 
 #include "core/math/fixed.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/pixel/paint_style.hpp"
 
 #include <cstdio>
@@ -48,6 +49,9 @@ public:
     void begin(Point from);
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
+    // And for the pieces of a trimmed stroke (PieceSink).
+    void end_piece(Point hub, PieceEnd end);
+    int pieces_of(const Segment& segment) const { return view_.pieces_of(segment); }
 
     const std::string& data() const { return data_; }
 
@@ -61,6 +65,8 @@ private:
     Point last_; ///< as the next two, before it is projected
     Point start_;
     std::string data_;
+    std::size_t piece_begin_ = 0; ///< in `data_`
+    std::string after_seam_;      ///< what the piece that ends at the seam goes on with
 };
 
 }

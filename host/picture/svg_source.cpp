@@ -108,7 +108,7 @@ void SvgTracer::trace_object(SceneWalk& walk)
     if (walk.node().has_depths)
         return trace_wires(walk, strokes);
     add_paths(walk, strokes.first_point(),
-              [&](const Affine& placement, SvgPath& path) { strokes.trace(placement, path); });
+              [&](const Affine& placement, auto& path) { strokes.trace(placement, path); });
 }
 
 /// Points are projected already.
@@ -130,7 +130,7 @@ void SvgTracer::trace_live(SceneWalk& walk)
     switch (live.kind) {
     case InputLeaf::drawing: {
         const InputDrawing drawing = on_panel_.drawings.of(scene, live.input);
-        return add_paths(walk, start_of(drawing), [&](const Affine& placement, SvgPath& path) {
+        return add_paths(walk, start_of(drawing), [&](const Affine& placement, auto& path) {
             trace_live_strokes(drawing, placement, path);
         });
     }
@@ -138,7 +138,7 @@ void SvgTracer::trace_live(SceneWalk& walk)
         const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
                                scene.drawings()};
         return add_paths(walk, label.start(),
-                         [&](const Affine& placement, SvgPath& path) { label.trace(placement, path); });
+                         [&](const Affine& placement, auto& path) { label.trace(placement, path); });
     }
     }
 }
@@ -154,9 +154,16 @@ void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
     const Space& space = walk.space();
     const bool is_flat = space.is_flat();
     const Projection projection{space, on_panel_.camera};
+    const Trim trim = walk.node().is_trimmed ? state.trim() : Trim{};
     const auto data = [&](SvgPath::Use use) {
         SvgPath path{is_flat ? nullptr : &projection, use};
-        trace(is_flat ? space.plane : Affine{}, path);
+        const Affine placement = is_flat ? space.plane : Affine{};
+        if (trim.is_whole()) {
+            trace(placement, path);
+        } else if (!trim.is_empty()) {
+            StrokeTrimmer trimmer{trim, placement, PieceSink::of(path)};
+            trimmer.run([&](StrokeTrimmer& pieces) { trace(Affine{}, pieces); });
+        }
         return path.data();
     };
     const std::string filled = style.is_filled ? data(SvgPath::Use::fill) : "";

@@ -28,10 +28,13 @@ enum class Match : std::uint8_t {
     length, ///< added points are placed by arc length, closed strokes begin where they fit best
 };
 
+enum class SectorForm : std::uint8_t { arc, pie, ring_piece };
+
 /// A stroke of a drawing that is written as an arc or a pie.
 struct SectorStroke {
     std::size_t stroke = 0;
     Sector sector;
+    SectorForm form = SectorForm::arc;
 };
 
 /// A drawing at a time; laws and match govern the transition to the next key.
@@ -44,7 +47,7 @@ struct Key {
     /// towards the viewer, and y 0. Else empty.
     Drawing depths = {};
     SourceSpan place;
-    std::vector<SectorStroke> sectors = {}; ///< of the drawing; only for warnings
+    std::vector<SectorStroke> sectors = {}; ///< of the drawing
 };
 
 /// A value at a time, in the unit of its property; the laws govern the transition to the next key.

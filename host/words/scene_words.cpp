@@ -11,8 +11,9 @@ namespace kfast {
 namespace {
 
 /// In the order of Feature.
-constexpr std::array<std::string_view, feature_count> names{
-    "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings"};
+constexpr std::array<std::string_view, feature_count> names{"strokes", "tweens",   "bones", "backbones",
+                                                            "depth",   "wires",    "paths", "smooth",
+                                                            "texts",   "drawings", "trims"};
 
 }
 
@@ -54,11 +55,15 @@ double written_amount(Property property, double stored)
     case Property::scale_y:
         return stored / scale_one;
     case Property::along:
+    case Property::trim_from:
+    case Property::trim_to:
+    case Property::trim_offset:
         return stored / path_whole;
     case Property::opacity:
         return stored / 255.0;
     case Property::order:
     case Property::visible:
+    case Property::trim_mode:
         return stored;
     default:
         return stored / 16.0;

@@ -11,13 +11,37 @@ void ObjectOutline::stroke_with(const Pen& pen, const StrokeFeature& strokes)
 
 void ObjectOutline::begin(Point from)
 {
+    if (trimmer_ != nullptr)
+        trimmer_->begin(from);
+    else
+        begin_piece(from);
+}
+
+void ObjectOutline::add(const Segment& segment)
+{
+    if (trimmer_ != nullptr)
+        trimmer_->add(segment);
+    else
+        add_to_piece(segment);
+}
+
+void ObjectOutline::end(Point hub, bool is_closed)
+{
+    if (trimmer_ != nullptr)
+        trimmer_->end(hub, is_closed);
+    else
+        end_whole(hub, is_closed);
+}
+
+void ObjectOutline::begin_piece(Point from)
+{
     if (stroke_)
         stroke_->begin(view_(from));
     else
         fill_.begin(view_(from));
 }
 
-void ObjectOutline::add(const Segment& segment)
+void ObjectOutline::add_to_piece(const Segment& segment)
 {
     const int pieces = view_.pieces_of(segment);
     if (stroke_ || !view_.is_flat())
@@ -27,7 +51,7 @@ void ObjectOutline::add(const Segment& segment)
     fill_ = fill;
 }
 
-void ObjectOutline::end(Point hub, bool is_closed)
+void ObjectOutline::end_whole(Point hub, bool is_closed)
 {
     if (stroke_)
         stroke_->end(is_closed);

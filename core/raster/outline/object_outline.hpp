@@ -2,6 +2,7 @@
 
 #include "core/features.hpp"
 #include "core/math/projection.hpp"
+#include "core/math/stroke_trimmer.hpp"
 #include "core/raster/outline/grid.hpp"
 #include "core/raster/outline/outline_store.hpp"
 #include "core/raster/outline/stroke_outline.hpp"
@@ -53,17 +54,29 @@ public:
 
     void stroke_with(const Pen& pen, const StrokeFeature& strokes);
 
+    /// Passes what is added to `trimmer`, which adds pieces of it. Null: no longer.
+    void trim_with(StrokeTrimmer* trimmer) { trimmer_ = trimmer; }
+
     void begin(Point from);
     void add(const Segment& segment);
     void end(Point hub, bool is_closed);
 
+    // For what the trimmer lets through.
+
+    void begin_piece(Point from);
+    void add_to_piece(const Segment& segment);
+    void end_piece(Point hub, PieceEnd end);
+    int pieces_of(const Segment& segment) const { return view_.pieces_of(segment); }
+
 private:
+    void end_whole(Point hub, bool is_closed);
     void line_to(Point seen);
 
     raster::OutlineStore& outlines_;
     ViewProjection view_;
     FillOutline fill_;
     std::optional<StrokeOutline> stroke_;
+    StrokeTrimmer* trimmer_ = nullptr;
 };
 
 }

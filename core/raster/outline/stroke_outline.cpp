@@ -186,17 +186,56 @@ void StrokeOutline::end_stroke(bool is_closed)
         join(first_piece_);
         last_piece_ = first_piece_;
     }
-    add(Side::right, last_ + last_piece_.side);
     if (!is_closed)
-        cap(last_, last_piece_.side);
+        return cap_end(), cap_beginning();
+    add(Side::right, last_ + last_piece_.side);
     add(Side::left, last_ - last_piece_.side);
     outlines_.close();
-    if (is_closed || pen_.cap == Cap::butt)
+}
+
+/// Closes the contour with a cap at its end.
+void StrokeOutline::cap_end()
+{
+    add(Side::right, last_ + last_piece_.side);
+    cap(last_, last_piece_.side);
+    add(Side::left, last_ - last_piece_.side);
+    outlines_.close();
+}
+
+/// Adds the cap of the beginning, as a contour of its own.
+void StrokeOutline::cap_beginning()
+{
+    if (pen_.cap == Cap::butt)
         return;
     add(Side::right, first_ - first_piece_.side);
     cap(first_, -first_piece_.side);
     add(Side::right, first_ + first_piece_.side);
     outlines_.close();
+}
+
+/// Both pieces have their edges at the seam where the other one has its own, so that there is no line between
+/// them; what joins them is part of the last one.
+void StrokeOutline::end_after_seam()
+{
+    seam_piece_ = {};
+    if (!has_piece_)
+        return;
+    seam_piece_ = first_piece_;
+    cap_end();
+}
+
+void StrokeOutline::end_at_seam()
+{
+    if (!has_piece_)
+        return;
+    if (seam_piece_.length == 0)
+        return cap_end(), cap_beginning();
+    join(seam_piece_);
+    last_piece_ = seam_piece_;
+    add(Side::right, last_ + last_piece_.side);
+    add(Side::left, last_ - last_piece_.side);
+    outlines_.close();
+    cap_beginning();
 }
 
 StrokeOutline::Piece StrokeOutline::piece_along(Point step) const

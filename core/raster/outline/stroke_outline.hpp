@@ -33,6 +33,10 @@ public:
     void line_to(Point to) { code_->line_to(*this, to); }
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed) { code_->end(*this, is_closed); }
+    /// Ends the first piece of a closed stroke that is drawn across its seam: without a cap where it began.
+    void end_after_seam();
+    /// Ends the last piece of that stroke, which is the next one: joined to where the first one began.
+    void end_at_seam();
 
 private:
     /// The functions that work on it: linked only with what makes one.
@@ -67,6 +71,8 @@ private:
     bool has_miter(std::uint32_t rest) const;
     void arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine);
     void cap(Point at, Point side);
+    void cap_end();
+    void cap_beginning();
     void dot();
 
     const Code* code_ = &code;
@@ -78,6 +84,7 @@ private:
     Point last_;
     Piece first_piece_;
     Piece last_piece_;
+    Piece seam_piece_; ///< with which the first piece began, whose end is joined to it
     bool has_piece_ = false;
 };
 

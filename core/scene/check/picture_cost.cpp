@@ -1,5 +1,6 @@
 #include "core/scene/check/picture_cost.hpp"
 
+#include "core/math/stroke_trimmer.hpp"
 #include "core/scene/kfb_limits.hpp"
 
 namespace kfast {
@@ -11,6 +12,7 @@ constexpr std::uint32_t per_track = 64;
 constexpr std::uint32_t per_layer = 1024;
 constexpr std::uint32_t per_filled_point = 512;
 constexpr std::uint32_t per_stroked_point = 1024;
+constexpr std::uint32_t per_trimmed_point = 512; ///< each time that it is traced
 constexpr std::uint32_t per_order_looked_at = 32;
 constexpr std::uint32_t per_path_segment = 128;
 constexpr std::uint32_t per_timeline = 256;
@@ -74,6 +76,14 @@ std::uint32_t cost_of_leaf(const ObjectStyle& style, std::uint32_t points, std::
     const std::uint32_t fill = style.is_filled ? per_filled_point + per_point : 0;
     const std::uint32_t stroke = style.is_stroked ? per_stroked_point + per_point : 0;
     return thousands(per_layer * layers_of(style) + std::min(points, max_points) * (fill + stroke));
+}
+
+/// All points are traced to measure the strokes, then twice for each batch of them.
+std::uint32_t cost_of_trim(const ObjectStyle& style, std::uint32_t points, std::uint32_t strokes)
+{
+    const std::uint32_t passes = 2 * (std::min(strokes, max_points) / StrokeTrimmer::batch + 1) + 1;
+    const std::uint32_t traced = std::min(points, max_points / passes) * passes; // more is too much anyway
+    return thousands(per_trimmed_point * layers_of(style) * traced);
 }
 
 std::uint32_t cost_of_path(std::uint32_t segments) { return thousands(per_path_segment * segments); }

@@ -48,6 +48,8 @@ private:
 
 /// The cost of an item with `tracks` tracks, whether it is seen or not.
 std::uint32_t cost_of_item(std::uint32_t tracks);
+/// What it costs to trim a leaf of so many points and strokes.
+std::uint32_t cost_of_trim(const ObjectStyle& style, std::uint32_t points, std::uint32_t strokes);
 /// The cost of drawing a leaf of `points` points, each of which takes `per_point` instructions, at most 1024,
 /// more than others.
 std::uint32_t cost_of_leaf(const ObjectStyle& style, std::uint32_t points, std::uint32_t per_point);

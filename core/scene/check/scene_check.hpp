@@ -127,6 +127,7 @@ private:
     void add_cost(std::uint32_t cost, std::uint32_t seen);
     bool check_tracks(const ItemView& item, Tracks& tracks);
     bool check_track(const TrackView& track, const ObjectStyle& style);
+    bool check_trim(const ItemView& item, const TrackView& track);
     bool check_value(const TrackView& track, std::int32_t value) const;
     std::uint32_t seen_by(const TrackView& track) const;
     bool is_hold(std::uint32_t laws) const { return (holds_[laws / 32] >> laws % 32 & 1U) != 0; }
@@ -156,6 +157,7 @@ private:
     // About the current item.
     std::uint32_t items_read_ = 0;
     std::uint32_t points_ = 0;         ///< of its largest drawing, or of all of its letters
+    std::uint32_t strokes_ = 0;        ///< of the drawing that has most of them, or of all letters
     std::uint32_t drawing_points_ = 0; ///< of the drawing checked last
     // About the item that costs most.
     std::uint32_t max_ = 0;

@@ -133,10 +133,12 @@ void SceneCheck::Level::add(ItemTotals item, const Tracks& of_item)
 
 bool SceneCheck::check_leaf(const ItemView& item, std::uint32_t seen)
 {
-    points_ = 0;
+    points_ = strokes_ = 0;
     if (!(item.kind == ItemKind::object ? check_object(item.object) : check_live(item)))
         return false;
     add_cost(cost_of_leaf(item.object.style, points_, instructions_per_point(item)), seen);
+    if (item.is_trimmed())
+        add_cost(cost_of_trim(item.object.style, points_, strokes_), seen);
     return true;
 }
 
@@ -158,7 +160,8 @@ bool SceneCheck::check_tracks(const ItemView& item, Tracks& tracks)
         const TrackView track = cursor.next();
         const int property = static_cast<int>(track.property);
         if (property <= before || property >= static_cast<int>(property_count) ||
-            !check_track(track, item.object.style))
+            !check_track(track, item.object.style) ||
+            (is_of_trim(track.property) && !check_trim(item, track)))
             return false;
         before = property;
         tracks.has_order = tracks.has_order || track.property == Property::order;
@@ -215,6 +218,12 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style)
         before = key.time;
     }
     return true;
+}
+
+bool SceneCheck::check_trim(const ItemView& item, const TrackView& track)
+{
+    return needs(Feature::trims) && item.is_leaf() && !item.object.has_depths &&
+           (track.property != Property::trim_mode || track.is_fixed);
 }
 
 bool SceneCheck::is_moment(Driver driver, Time time) const

@@ -146,6 +146,7 @@ bool SceneCheck::check_live(const ItemView& item)
     switch (item.live.kind) {
     case InputLeaf::drawing:
         points_ = input->drawing.points;
+        strokes_ = input->drawing.strokes;
         return input->type == InputType::drawing;
     case InputLeaf::label:
         return input->type == InputType::text &&
@@ -162,6 +163,7 @@ bool SceneCheck::check_label(const LabelView& label, const TextInput& text)
         if (!check_drawing(static_cast<std::uint32_t>(label.drawings[glyph])))
             return false;
     points_ *= text.max;
+    strokes_ *= text.max;
     return true;
 }
 

@@ -121,6 +121,7 @@ bool SceneCheck::check_drawing(std::uint32_t offset)
         return false;
     drawing_points_ = checked.points;
     points_ = std::max(points_, drawing_points_);
+    strokes_ = std::max(strokes_, scene_.drawing(offset).strokes());
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include "host/scene/skeleton/weights_reader.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/text/characters.hpp"
+#include "host/words/scene_words.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
@@ -157,6 +158,31 @@ void refuse_mixed_depths(const std::vector<Key>& keys, SceneContext& context)
                              "draw it with wire, mesh or cuboid, or in an object of its own");
 }
 
+namespace {
+
+void refuse_trims_of_wires(const kdl::Node& object, const DrawingContent& content, SceneContext& context)
+{
+    const auto refuse = [&context](SourceSpan place) {
+        context.report.error(place, "a drawing with depth is not trimmed", "draw it without depth");
+    };
+    for (std::size_t i = 0; i < property_count; ++i) {
+        const auto property = static_cast<Property>(i);
+        const std::string_view name = property_name(property);
+        if (!is_of_trim(property))
+            continue;
+        if (has_property(object, name))
+            refuse(property_span(object, name));
+        for (const ItemKey& key : content.keys)
+            if (key.values.get(property))
+                refuse(property_span(*key.node, name));
+        for (const TimedQuantity& quantity : content.timed)
+            if (gives(quantity, property))
+                refuse(quantity.place);
+    }
+}
+
+}
+
 void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content, const std::vector<Key>& keys,
                          SceneContext& context)
 {
@@ -174,6 +200,7 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
         std::ranges::find_if(content.keys, [](const ItemKey& key) { return key.skeleton != nullptr; });
     if (deformed != content.keys.end())
         refuse(deformed->skeleton->name_span, "skeleton", "turn the object, or a group around it");
+    refuse_trims_of_wires(object, content, context);
     const auto matched =
         std::ranges::find_if(keys, [](const Key& key) { return key.match == Match::length; });
     if (matched != keys.end())

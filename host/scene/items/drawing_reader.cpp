@@ -187,6 +187,20 @@ void DrawingReader::copy(const kdl::Node& node)
             return;
 }
 
+namespace {
+
+/// Of an outline with a sector.
+SectorForm form_of(const Outline& outline)
+{
+    if (!outline.closed)
+        return SectorForm::arc;
+    const Vec2 centre = outline.sector->centre;
+    const bool is_from_centre = outline.from.x == centre.x && outline.from.y == centre.y;
+    return is_from_centre ? SectorForm::pie : SectorForm::ring_piece;
+}
+
+}
+
 bool DrawingReader::add(Outline outline, const kdl::Node& node)
 {
     if (!in_range(outline))
@@ -197,7 +211,7 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
     if (!has_capacity(stroke.segments.size() + 1, node))
         return false;
     if (outline.sector)
-        sectors_.push_back({drawing_.strokes.size(), *outline.sector});
+        sectors_.push_back({drawing_.strokes.size(), *outline.sector, form_of(outline)});
     drawing_.strokes.push_back(std::move(stroke));
     outlines_.push_back(std::move(outline));
     return true;

@@ -4,6 +4,7 @@
 #include "host/scene/items/drawing_content.hpp"
 #include "host/scene/items/drawing_reader.hpp"
 #include "host/scene/items/object_properties.hpp"
+#include "host/scene/items/sector_trim.hpp"
 #include "host/scene/items/skeleton_reader.hpp"
 #include "host/scene/items/symbol_use.hpp"
 #include "host/scene/items/track_builder.hpp"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -96,6 +98,7 @@ public:
         auto tracks = build_tracks(node_, properties_.values,
                                    {content.keys, properties_.driver.driver(), object.has_depths},
                                    content.timed, context_);
+        add_trim(tracks, object);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 
@@ -127,6 +130,19 @@ private:
         object.driver = properties_.driver.driver();
         object.live = live_;
         refuse_two_deformers(content.keys);
+    }
+
+    /// Arcs and pies that change their angles are trimmed, unless the author trims them.
+    void add_trim(std::vector<Track>& tracks, Object& object) const
+    {
+        const bool is_bent = object.skin || !object.backbone_keys.empty() || object.has_depths;
+        const auto is_trim = [](const Track& track) { return is_of_trim(track.property); };
+        if (std::ranges::any_of(tracks, is_trim)) {
+            if (!is_bent && are_pies(object.keys) && tracks.back().property != Property::trim_mode)
+                tracks.push_back(trim_by_angles());
+        } else if (!is_bent) {
+            std::ranges::move(trim_sectors(object.keys, object.driver), std::back_inserter(tracks));
+        }
     }
 
     void set_wires(const DrawingContent& content, Object& object)
@@ -231,7 +247,8 @@ private:
                     .match = Match::count,
                     .drawing = drawing.take(),
                     .depths = drawing.take_depths(),
-                    .place = place_}};
+                    .place = place_,
+                    .sectors = drawing.take_sectors()}};
     }
 
     /// The object gets the position of its use, so that the drawings stay those of the symbol.

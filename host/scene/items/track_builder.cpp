@@ -35,7 +35,10 @@ LawPair laws_for(Property property, const KeyLaws& laws)
     }
 }
 
-bool is_painted(Property property) { return property >= Property::fill; }
+bool is_painted(Property property)
+{
+    return property == Property::fill || property == Property::stroke || property == Property::width;
+}
 
 void warn_of_idle_pivot(std::string_view name, SourceSpan place, SceneContext& context)
 {

@@ -46,8 +46,15 @@ constexpr std::array quantities{
     same_name(Property::pivot_y),
     same_name(Property::opacity),
     same_name(Property::along),
-    same_name(Property::width), // the last, which only objects have
+    // Only objects have the rest.
+    same_name(Property::width),
+    same_name(Property::trim_from),
+    same_name(Property::trim_to),
+    same_name(Property::trim_offset),
 };
+constexpr std::size_t of_objects = 4;
+
+constexpr bool is_of_objects(Property property) { return property >= Property::width; }
 
 constexpr std::array keys_only{Property::order, Property::visible, Property::fill, Property::stroke};
 
@@ -58,11 +65,11 @@ void report_unknown_quantity(const kdl::Value& value, std::string_view name, Key
     if (std::ranges::find(keys_only, name, property_name) != keys_only.end())
         context.report.error(value.place, text + " has no track by key times",
                              "set it in keys: key 0 " + text + "=…");
-    else if (name == property_name(Property::width))
-        context.report.error(value.place, "only objects have a width",
-                             "let the track stand in an object that has a stroke");
+    else if (std::ranges::find(quantities, name, &Quantity::name) != quantities.end())
+        context.report.error(value.place, "only objects have " + in_quotes(name),
+                             "let the track stand in an object");
     else {
-        const std::size_t hidden = holder == KeyHolder::object ? 0 : 1;
+        const std::size_t hidden = holder == KeyHolder::object ? 0 : of_objects;
         const std::span known{word_names<quantities>};
         context.report.error(value.place, "unknown quantity " + in_quotes(name),
                              word_hint(name, known.first(known.size() - hidden)));
@@ -76,7 +83,7 @@ const Quantity* read_quantity(const kdl::Value& value, KeyHolder holder, SceneCo
         return nullptr;
     const auto found = std::ranges::find(quantities, *name, &Quantity::name);
     const bool is_known =
-        found != quantities.end() && (found->property != Property::width || holder == KeyHolder::object);
+        found != quantities.end() && (!is_of_objects(found->property) || holder == KeyHolder::object);
     if (is_known)
         return &*found;
     report_unknown_quantity(value, *name, holder, context);

@@ -59,6 +59,9 @@ std::optional<std::int32_t> read_item_value(Property property, const kdl::Value&
     case Property::scale_y:
         return read_form(scales, range, value, context);
     case Property::along:
+    case Property::trim_from:
+    case Property::trim_to:
+    case Property::trim_offset:
         return read_form(shares, range, value, context);
     case Property::opacity:
         return read_form(opacities, range, value, context);
@@ -71,6 +74,9 @@ std::optional<std::int32_t> read_item_value(Property property, const kdl::Value&
         return read_colour(value, context);
     case Property::width:
         return read_form(pixels, range, value, context);
+    case Property::trim_mode:
+        if (const auto mode = read_word(value, trim_words, context.report))
+            return static_cast<std::int32_t>(*mode);
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/stroke_trimmer.hpp"
 #include "core/scene/property.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/limits.hpp"
@@ -29,6 +30,11 @@ struct ItemValues {
     std::optional<std::int32_t> scale; ///< of both axes
 };
 
+/// What the shares of a trim are shares of. An object of pies alone is trimmed by its angles
+/// (trim_sectors()).
+inline constexpr std::array trim_words{Word<TrimMode>{"each", TrimMode::each},
+                                       Word<TrimMode>{"together", TrimMode::together}};
+
 /// What nodes and keys may write as a quantity. `width` may be 0.
 constexpr ValueKind kind_of(Property property)
 {
@@ -48,7 +54,13 @@ constexpr ValueKind kind_of(Property property)
         return ValueKind::number({-64, 64});
     case Property::along:
     case Property::opacity:
+    case Property::trim_from:
+    case Property::trim_to:
         return ValueKind::number({0, 1});
+    case Property::trim_offset:
+        return ValueKind::number({-16, 16});
+    case Property::trim_mode:
+        return ValueKind::one_of<trim_words>();
     case Property::order:
         return ValueKind::whole({kfb::min_coordinate, kfb::max_coordinate});
     case Property::visible:
@@ -114,6 +126,14 @@ inline constexpr std::array show_rules{
     PropertyRule<Target>{"opacity", read_own_value<Property::opacity>, kind_of(Property::opacity)},
     PropertyRule<Target>{"order", read_own_value<Property::order>, kind_of(Property::order)},
     PropertyRule<Target>{"visible", read_own_value<Property::visible>, kind_of(Property::visible)},
+};
+
+template <class Target>
+inline constexpr std::array trim_rules{
+    PropertyRule<Target>{"trim-from", read_own_value<Property::trim_from>, kind_of(Property::trim_from)},
+    PropertyRule<Target>{"trim-to", read_own_value<Property::trim_to>, kind_of(Property::trim_to)},
+    PropertyRule<Target>{"trim-offset", read_own_value<Property::trim_offset>,
+                         kind_of(Property::trim_offset)},
 };
 
 /// Sets what `values` lack of the pivot: the centre of the box of the vertices of the first drawing that is

@@ -24,9 +24,11 @@ std::string warnings(const std::string& keys, const std::string& object = "strok
     return all;
 }
 
+/// Not alone, for then it would be trimmed.
 std::string arc(double from, double to)
 {
-    return "arc 120 120 r=95 from=" + std::to_string(from) + " to=" + std::to_string(to);
+    return "arc 120 120 r=95 from=" + std::to_string(from) + " to=" + std::to_string(to) +
+           "; line 120 119 120 121";
 }
 
 bool drifts(const std::string& keys, const std::string& object = "stroke=red")
@@ -42,9 +44,9 @@ TEST_CASE("an arc that grows by a quarter turn from key to key leaves its circle
     const std::string found = warnings("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 180) + " }");
     CHECK(found.starts_with("the arc leaves its circle on the way to the next key, by 2"));
     CHECK(found.find(" px at frame ") != std::string::npos);
-    CHECK(found.ends_with(": points go straight (add a key for every 11 degrees or so, with match=length, or "
-                          "turn an arc that keeps its "
-                          "length)\n"));
+    CHECK(
+        found.ends_with(": points go straight (draw it in an object of its own, where its ends go along the "
+                        "circle)\n"));
 }
 
 TEST_CASE("keys as near as the warning says, or an arc that only moves and grows, are good")
@@ -53,6 +55,15 @@ TEST_CASE("keys as near as the warning says, or an arc that only moves and grows
     CHECK(drifts("key 0 { " + arc(0, 90) + " }; key 100 { " + arc(0, 115) + " }"));
     CHECK(warnings("key 0 { arc 90 90 r=9 from=0 to=200 }; key 100 { arc 99 120 r=80 from=0 to=200 }") == "");
     CHECK(warnings("key 0 { circle 90 90 r=9 }; key 100 { circle 120 90 r=80 }") == "");
+}
+
+TEST_CASE("an arc of a circle that is alone in its object is trimmed and stays on it")
+{
+    const std::string ends = " from=0 to=90 }; key 100 { arc 120 120 ";
+    CHECK(warnings("key 0 { arc 120 120 r=95" + ends + "r=95 from=0 to=270 }") == "");
+    const std::string bent =
+        warnings("key 0 { arc 120 120 rx=95 ry=60" + ends + "rx=95 ry=60 from=0 to=270 }");
+    CHECK(bent.find("add a key for every 11 degrees") != std::string::npos);
 }
 
 TEST_CASE("as many keys as the warning says keep an arc on its circle all the way round")
@@ -65,7 +76,8 @@ TEST_CASE("as many keys as the warning says keep an arc on its circle all the wa
 
 TEST_CASE("pies and pieces of rings are looked at as well")
 {
-    CHECK(drifts("key 0 { pie 99 99 r=50 from=0 to=60 }; key 100 { pie 99 99 r=50 from=0 to=160 }"));
+    CHECK(drifts("key 0 { pie 99 99 r=50 from=0 to=60; line 1 1 9 9 }; "
+                 "key 100 { pie 99 99 r=50 from=0 to=160; line 1 1 9 9 }"));
     CHECK(drifts(
         "key 0 { pie 99 99 r=50 from=0 to=60 inner=30 }; key 100 { pie 99 99 r=50 from=0 to=160 inner=30 }"));
     CHECK(drifts("key 0 { line 1 1 9 9; " + arc(0, 9) + " }; key 100 { line 1 1 9 9; " + arc(90, 99) + " }"));

@@ -16,11 +16,15 @@ std::int32_t random_value(Dice& dice, Property property, std::size_t colours)
     case Property::scale_y:
         return dice.within(-6000, 6000);
     case Property::along:
+    case Property::trim_from:
+    case Property::trim_to:
         return dice.within(0, path_whole);
     case Property::opacity:
         return dice.within(0, 255);
     case Property::visible:
         return dice.within(0, 1);
+    case Property::trim_mode:
+        return dice.within(0, max_trim_mode);
     case Property::fill:
     case Property::stroke:
         return static_cast<std::int32_t>(dice.below(colours));
@@ -35,7 +39,8 @@ scene::Track random_track(Dice& dice, Property property, std::size_t colours)
 {
     scene::Track track{property, {}, may_be_smooth(property) && dice.sometimes()};
     RisingTimes times{dice};
-    for (int left = dice.within(1, 3); left > 0; --left)
+    const int most = property == Property::trim_mode ? 1 : 3; // it does not change
+    for (int left = dice.within(1, most); left > 0; --left)
         track.keys.push_back({.time = times.next(),
                               .laws = random_laws(dice),
                               .value = random_value(dice, property, colours)});
@@ -50,6 +55,11 @@ bool may_have(const scene::Object* object, Property property)
     case Property::stroke:
     case Property::width:
         return object != nullptr && object->stroke;
+    case Property::trim_from:
+    case Property::trim_to:
+    case Property::trim_offset:
+    case Property::trim_mode:
+        return object != nullptr && !object->has_depths;
     default:
         return true;
     }

@@ -24,6 +24,8 @@ bool changes_nothing(const scene::Track& track, const scene::Item& item)
         return track.keys.size() == 1 && value == 255;
     case Property::visible:
         return track.keys.size() == 1 && value == 1;
+    case Property::trim_to:
+        return track.keys.size() == 1 && value == path_whole;
     case Property::fill:
         return track.keys.size() == 1 && static_cast<std::size_t>(value) == *object->fill;
     case Property::stroke:

@@ -59,6 +59,9 @@ track x { at 0 0; at 2 20; at 4 9 } })"},
 object o stroke=red width=1 { text input=word at="2,20" size=12 })"},
     Case{{Feature::drawings}, R"(input area kind=drawing points=9 { line 5 5 30 9 12 30 }
 object o fill=red live=area { key 0 y=0; key 4 y=6 })"},
+    Case{{Feature::trims, Feature::strokes},
+         "object o stroke=red width=3 { circle 20 20 r=9; key 0 trim-to=0; key 4 trim-to=1 }"},
+    Case{{Feature::trims}, "object o fill=red trim-to=0.3 { rect 5 5 20 20; key 0 x=0; key 4 x=6 }"},
 };
 
 Features only(FeatureSet set)
@@ -125,6 +128,8 @@ TEST_CASE("what a program lacks has a name")
     CHECK(error_text(Error::needs_strokes) == "needs_strokes: the program was built without strokes");
     CHECK(error_text(Error::needs_drawings) ==
           "needs_drawings: the program was built without drawings as inputs");
+    CHECK(error_text(Error::needs_trims) ==
+          "needs_trims: the program was built without strokes that are drawn in part");
 }
 
 }

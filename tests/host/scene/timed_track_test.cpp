@@ -104,7 +104,7 @@ TEST_CASE("a track knows what it is a track of")
     CHECK(object("fill=red", "track fill { at 0 1 }") ==
           "2:7 error: fill has no track by key times (set it in keys: key 0 fill=…)");
     CHECK(group("track width { at 0 1 }") ==
-          "2:7 error: only objects have a width (let the track stand in an object that has a stroke)");
+          "2:7 error: only objects have \"width\" (let the track stand in an object)");
     CHECK(object("fill=red", "track width { at 0 1 }") ==
           "2:1 error: this object has no stroke to change (add stroke=COLOUR to the object)");
     CHECK(group("track x speed=1 { at 0 1 }") ==

@@ -71,6 +71,30 @@ TEST_CASE("a butt-capped line covers exactly its length and width")
     CHECK(picture.at(8, 12) == 0);
 }
 
+TEST_CASE("two pieces that meet at the seam of a closed stroke cover what it does")
+{
+    const std::vector corners{pixels(5, 5), pixels(18, 7), pixels(16, 18), pixels(7, 15)};
+    for (const Join join : {Join::miter, Join::round, Join::bevel}) {
+        CAPTURE(join);
+        const Pen pen{.half_width = half_width(5), .join = join};
+        CoveragePicture picture{24, 24};
+        StrokeOutline outline{picture.store(), pen, 0};
+        outline.begin(corners[0]);
+        outline.line_to(corners[1]);
+        outline.line_to(corners[2]);
+        outline.end_after_seam();
+        outline.begin(corners[2]);
+        outline.line_to(corners[3]);
+        outline.line_to(corners[0]);
+        outline.end_at_seam();
+        picture.draw();
+        const auto closed = stroked(corners, pen, true);
+        for (int y = 0; y < 13; ++y) // below, the other corner has no join
+            for (int x = 0; x < 24; ++x)
+                CHECK(picture.at(x, y) == closed.at(x, y));
+    }
+}
+
 TEST_CASE("square caps add half a width at both ends")
 {
     const auto picture =

@@ -45,14 +45,14 @@ bool takes_stroked_track(const Bytes& track)
 
 }
 
-TEST_CASE("tracks rise by their properties, of which there are seventeen")
+TEST_CASE("tracks rise by their properties, of which there are twenty-one")
 {
     const Bytes x = bytes({0x80, 2});
     const Bytes y = bytes({0x81, 2});
     CHECK(takes_tracks(2, joined({x, y})));
     CHECK_FALSE(takes_tracks(2, joined({y, x})));
     CHECK_FALSE(takes_tracks(2, joined({x, x})));
-    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 17, 2})));
+    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 21, 2})));
     CHECK_FALSE(takes_tracks(1, bytes({0xFF, 2})));
     CHECK_FALSE(takes_tracks(3, joined({x, y})));
 }
@@ -186,9 +186,11 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
             continue; // has a path
         const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}});
         CAPTURE(number);
-        const bool is_amount = property < Property::order || property == Property::width;
+        const bool is_amount = property < Property::order || property == Property::width ||
+                               (is_of_trim(property) && property != Property::trim_mode);
         CHECK(takes_stroked_track(smooth) == is_amount);
-        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}})));
+        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}})) ==
+              (property != Property::trim_mode));
         CHECK_FALSE(takes_stroked_track(bytes({0xC0 | number, 2})));
     }
     SUBCASE("keys of smooth tracks rise in time and have values in their ranges")
@@ -203,6 +205,29 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
         CHECK_FALSE(takes({}));
         CHECK(takes({{{}, 9, 255}, {{1}, 9, 0}})); // they have no laws
     }
+}
+
+TEST_CASE("what is drawn in part is an object, by shares within its length")
+{
+    const auto takes = [](Property property, std::int32_t value) {
+        return takes_stroked_track(fixed_track(property, value));
+    };
+    for (const Property share : {Property::trim_from, Property::trim_to}) {
+        CHECK(takes(share, 0));
+        CHECK(takes(share, 65536));
+        CHECK_FALSE(takes(share, -1));
+        CHECK_FALSE(takes(share, 65537));
+    }
+    CHECK(takes(Property::trim_offset, -1'048'576));
+    CHECK_FALSE(takes(Property::trim_offset, 1'048'577));
+    CHECK(takes(Property::trim_mode, 2));
+    CHECK_FALSE(takes(Property::trim_mode, 3));
+    const Bytes half = fixed_track(Property::trim_to, 32768);
+    CHECK_FALSE(takes_items(joined({bytes({0x05, 1}), half, block({})}))); // a group
+    RawScene scene;
+    scene.add_symbol(triangle());
+    scene.items = joined({bytes({0x06, 1}), half, bytes({0})});
+    CHECK_FALSE(is_accepted(scene));
 }
 
 TEST_CASE("a path is one stroke with an extent, and each of its segments has a length")

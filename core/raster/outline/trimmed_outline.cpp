@@ -1,0 +1,39 @@
+#include "core/raster/outline/trimmed_outline.hpp"
+
+namespace kfast {
+namespace {
+
+/// Adds pieces to an outline that passes strokes to a trimmer.
+struct OutlinePieces {
+    ObjectOutline& outline;
+
+    void begin(Point at) { outline.begin_piece(at); }
+    void add(const Segment& segment) { outline.add_to_piece(segment); }
+    void end_piece(Point hub, PieceEnd end) { outline.end_piece(hub, end); }
+    int pieces_of(const Segment& segment) const { return outline.pieces_of(segment); }
+};
+
+}
+
+/// Here, for it is linked only with what trims.
+void ObjectOutline::end_piece(Point hub, PieceEnd end)
+{
+    if (!stroke_ || end == PieceEnd::open || end == PieceEnd::closed)
+        end_whole(hub, end == PieceEnd::closed);
+    else if (end == PieceEnd::after_seam)
+        stroke_->end_after_seam();
+    else
+        stroke_->end_at_seam();
+}
+
+void trace_trimmed(const Trim& trim, const Affine& placement, ObjectOutline& outline,
+                   FunctionRef<void(const Affine&, ObjectOutline&)> trace)
+{
+    OutlinePieces pieces{outline};
+    StrokeTrimmer trimmer{trim, placement, PieceSink::of(pieces)};
+    outline.trim_with(&trimmer);
+    trimmer.run([&](StrokeTrimmer&) { trace(Affine{}, outline); });
+    outline.trim_with(nullptr);
+}
+
+}
