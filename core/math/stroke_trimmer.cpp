@@ -42,7 +42,8 @@ Trim Trim::between(std::int32_t from, std::int32_t to, std::int32_t offset, Trim
         return static_cast<std::uint32_t>(std::clamp(share, 0, static_cast<std::int32_t>(whole)));
     };
     const auto [begin, end] = std::minmax({clamped(from), clamped(to)});
-    return {.begin = (begin + static_cast<std::uint32_t>(offset)) % whole, .share = end - begin, .mode = mode};
+    return {
+        .begin = (begin + static_cast<std::uint32_t>(offset)) % whole, .share = end - begin, .mode = mode};
 }
 
 const StrokeTrimmer::Code StrokeTrimmer::code{.begin = plain_function<&StrokeTrimmer::begin_stroke>,
@@ -136,8 +137,7 @@ void StrokeTrimmer::set_windows()
     const Window& last = windows_[window_count_ == 2 ? 1 : 0];
     is_whole_ = length == 0 ? window_count_ != 0 || !is_together
                             : window_count_ == 1 && first.begin == 0 && first.end == length;
-    crosses_seam_ =
-        window_count_ == 2 && measured().is_closed && first.begin == 0 && last.end == length;
+    crosses_seam_ = window_count_ == 2 && measured().is_closed && first.begin == 0 && last.end == length;
 }
 
 /// Adds the part of it that is on the current stroke.

@@ -157,10 +157,10 @@ private:
     PointMap place_;
     PieceSink sink_;
     Pass pass_ = Pass::measure;
-    std::uint32_t stroke_ = 0;            ///< the current one
-    std::uint32_t first_ = 0;             ///< of the current batch
-    std::uint32_t total_ = 0;             ///< the length of all strokes
-    std::uint32_t before_ = 0;            ///< the length of all strokes before the current one
+    std::uint32_t stroke_ = 0; ///< the current one
+    std::uint32_t first_ = 0;  ///< of the current batch
+    std::uint32_t total_ = 0;  ///< the length of all strokes
+    std::uint32_t before_ = 0; ///< the length of all strokes before the current one
     std::array<Measured, batch> measured_{};
 
     // Of the current stroke, while it is cut.
@@ -171,8 +171,8 @@ private:
     bool is_whole_ = false;      ///< it is passed on as it is
     bool crosses_seam_ = false;
     bool is_drawing_ = false; ///< within a window
-    Point start_;       ///< of the stroke: the centre of a sector
-    Point curve_start_; ///< of a sector
+    Point start_;             ///< of the stroke: the centre of a sector
+    Point curve_start_;       ///< of a sector
     Point curve_end_;
     Point piece_start_; ///< placed, as the next two
     Point last_;

@@ -68,12 +68,22 @@ struct Skin {
     friend bool operator==(const Skin&, const Skin&) = default;
 };
 
+/// Which part of the outlines of a shape is drawn.
+struct Trim {
+    Channel start = {0};   ///< fraction of the length, 0 to 1
+    Channel end = {1};     ///< the same; may be the smaller one
+    Channel offset = {0};  ///< fraction of the length, any; 1 is once around
+    bool together = false; ///< all outlines count as one, in their order; otherwise each by itself
+    friend bool operator==(const Trim&, const Trim&) = default;
+};
+
 /// Something drawn: has a fill or a line or both, the line over the fill.
 struct Shape {
     Animated<Drawing> drawing;
     std::optional<Fill> fill;
     std::optional<StrokeStyle> stroke;
     std::optional<Skin> skin;
+    std::optional<Trim> trim;
     bool matches_length = false; ///< where forms differ, points match by arc length rather than by count
     friend bool operator==(const Shape&, const Shape&) = default;
 };
@@ -200,6 +210,9 @@ void every_animation(Shape& shape, Visit&& visit)
         visit(shape.stroke->opacity);
         visit(shape.stroke->width);
     }
+    if (shape.trim)
+        for (Channel* channel : {&shape.trim->start, &shape.trim->end, &shape.trim->offset})
+            visit(*channel);
 }
 
 template <typename Visit>

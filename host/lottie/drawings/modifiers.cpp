@@ -15,6 +15,7 @@ namespace kfast::lottie {
 namespace {
 
 using art::Drawing;
+using art::Trim;
 
 /// The part of a length of 1; the end may be up to 2, past the beginning of another round.
 Stretch stretch_at(const Trim& trim, double time)
@@ -157,9 +158,9 @@ void trim_as_one(const Trim& trim, const std::vector<MovingDrawing*>& drawings)
 
 }
 
-void trim(const Trim& trim, const std::vector<MovingDrawing*>& drawings)
+void trim(const art::Trim& trim, const std::vector<MovingDrawing*>& drawings)
 {
-    if (trim.one_after_another && drawings.size() > 1)
+    if (trim.together && drawings.size() > 1)
         trim_as_one(trim, drawings);
     else
         trim_each(trim, drawings);

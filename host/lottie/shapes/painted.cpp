@@ -2,6 +2,7 @@
 #include "host/lottie/shapes/shapes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,6 +47,40 @@ bool can_lie_in_groups(const std::vector<TransformedPath>& paths, bool has_line)
            std::ranges::all_of(paths, [&](const TransformedPath& path) { return path.groups == groups; }) &&
            (!has_line || std::ranges::all_of(
                              groups, [](const GroupItem* group) { return keeps_widths(group->transform); }));
+}
+
+/// Whether lengths keep their proportions.
+bool is_similarity(const GroupItem& group)
+{
+    const art::Transform& transform = group.transform;
+    return transform.scale_x == transform.scale_y && transform.skew == art::Channel{0} &&
+           group.shown == std::vector<art::Span>{{}};
+}
+
+/// A scene has no offset beyond that.
+bool is_within_offsets(const art::Trim& trim)
+{
+    constexpr double max = 16;
+    return std::ranges::all_of(trim.offset.keys, [](const auto& key) { return std::abs(key.value) <= max; });
+}
+
+/// The trim of all paths, if they are those that one modifier trims: then the shape is trimmed as a whole.
+/// Null if each path has to be trimmed before they are put together.
+const art::Trim* common_trim(const StyleItem& style, const std::vector<TransformedPath>& paths,
+                             bool in_groups)
+{
+    const auto& first = paths.front().path->untrimmed;
+    if (!first || !style.stroke || !style.dashes.lengths.empty() || !is_within_offsets(*first->trim))
+        return nullptr;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const auto& own = paths[i].path->untrimmed;
+        if (!own || own->trim != first->trim || (first->trim->together && own->index != i))
+            return nullptr;
+        const auto keeps_lengths = [](const GroupItem* group) { return is_similarity(*group); };
+        if (!in_groups && !std::ranges::all_of(paths[i].groups, keeps_lengths))
+            return nullptr;
+    }
+    return first->trim->together && first->count != paths.size() ? nullptr : first->trim.get();
 }
 
 bool is_empty(const art::Animated<art::Drawing>& drawing)
@@ -146,7 +181,10 @@ private:
         shape.fill = below ? below->fill : style.fill;
         shape.stroke = style.stroke;
         const bool in_groups = can_lie_in_groups(paths, shape.stroke.has_value());
-        shape.drawing = keys_of(drawing_of(style, paths, in_groups), reading_.budget);
+        const art::Trim* const trim = common_trim(style, paths, in_groups);
+        if (trim != nullptr)
+            shape.trim = *trim;
+        shape.drawing = keys_of(drawing_of(style, paths, in_groups, trim != nullptr), reading_.budget);
         if (is_empty(shape.drawing))
             return;
         Node node;
@@ -159,12 +197,15 @@ private:
     }
 
     MovingDrawing drawing_of(const StyleItem& style, const std::vector<TransformedPath>& paths,
-                             bool in_groups) const
+                             bool in_groups, bool is_untrimmed) const
     {
         const bool is_cut = !style.dashes.lengths.empty();
         std::vector<MovingDrawing> drawings;
         for (const TransformedPath& path : paths) {
-            MovingDrawing drawing = path.path->plain && !is_cut ? *path.path->plain : path.path->drawing;
+            const PathItem& item = *path.path;
+            MovingDrawing drawing = is_untrimmed            ? item.untrimmed->drawing
+                                    : item.plain && !is_cut ? *item.plain
+                                                            : item.drawing;
             if (!in_groups)
                 for (const GroupItem* group : path.groups)
                     drawing = while_shown(carried(std::move(drawing), group->transform), group->shown);

@@ -63,7 +63,7 @@ void report(const Reading& reading, std::string feature, std::string instead)
     reading.losses.add({std::move(feature), reading.layer, std::nullopt, std::move(instead)});
 }
 
-Trim read_trim(const Json& item, const Reading& reading)
+art::Trim read_trim(const Json& item, const Reading& reading)
 {
     const auto channel = [&](const char* name, double default_value, double factor) {
         return read_channel(item, name, 0, default_value, factor, reading.time, reading.budget);
@@ -125,7 +125,7 @@ private:
     void modify(const std::string& type, const Json& item)
     {
         if (type == "tm")
-            trim(read_trim(item, reading_), modified_paths(item));
+            trim_paths(item);
         else if (type == "rd")
             round_corners(item);
         else if (type == "rp")
@@ -136,23 +136,42 @@ private:
             report_unknown(type);
     }
 
-    std::vector<MovingDrawing*> modified_paths(const Json& item)
+    std::vector<PathItem*> modified_paths(const Json& item)
     {
-        std::vector<MovingDrawing*> drawings;
-        for (PathItem* path : paths_of(items_)) {
+        std::vector<PathItem*> paths = paths_of(items_);
+        for (PathItem* path : paths) {
             if (++path->modifiers > max_modifiers)
                 throw WrongMember(item, "is the 65th that changes one path: take some of them away");
             path->plain.reset();
-            drawings.push_back(&path->drawing);
+            path->untrimmed.reset();
         }
-        return drawings;
+        return paths;
+    }
+
+    void trim_paths(const Json& item)
+    {
+        const auto trim = std::make_shared<const art::Trim>(read_trim(item, reading_));
+        const std::vector<PathItem*> paths = modified_paths(item);
+        std::vector<MovingDrawing*> drawings;
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            PathItem& path = *paths[i];
+            if (changes(*trim) && !std::exchange(path.is_trimmed, true))
+                path.untrimmed = UntrimmedPath{path.drawing, trim, i, paths.size()};
+            drawings.push_back(&path.drawing);
+        }
+        lottie::trim(*trim, drawings);
+    }
+
+    static bool changes(const art::Trim& trim)
+    {
+        return !trim.start.is_still() || !trim.end.is_still() || !trim.offset.is_still();
     }
 
     void round_corners(const Json& item)
     {
         const art::Channel radius = read_channel(item, "r", 0, 0, 1, reading_.time, reading_.budget);
-        for (MovingDrawing* drawing : modified_paths(item))
-            *drawing = with_rounded_corners(std::move(*drawing), radius);
+        for (PathItem* path : modified_paths(item))
+            path->drawing = with_rounded_corners(std::move(path->drawing), radius);
     }
 
     void repeat(const Json& item)

@@ -6,6 +6,8 @@
 #include "host/lottie/drawings/moving_drawing.hpp"
 #include "host/lottie/values/channel.hpp"
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,12 +31,22 @@ std::vector<art::Node> read_shapes(const Json& shapes, const Reading& reading);
 /// "ks" of a layer or "tr" of a group, without its opacity "o".
 art::Transform read_transform(const Json& transform, const Reading& reading);
 
+/// A path before it was trimmed, for a shape of which all paths are trimmed alike.
+struct UntrimmedPath {
+    MovingDrawing drawing;
+    std::shared_ptr<const art::Trim> trim; ///< the same one for all paths that one modifier trims
+    std::size_t index = 0;                 ///< among these
+    std::size_t count = 0;
+};
+
 /// A path of a shape layer, with what modifiers have made of it.
 struct PathItem {
     std::string name;
     MovingDrawing drawing;
     /// The same picture as the scene language draws it, which begins elsewhere: for what is not cut.
     std::optional<MovingDrawing> plain;
+    std::optional<UntrimmedPath> untrimmed; ///< if what changed it last is its only trim, and moves
+    bool is_trimmed = false;
     int modifiers = 0; ///< that it has gone through
 };
 

@@ -19,7 +19,8 @@ constexpr double full_turn = 360;
 bool has_only(SectorForm form, const Key& key)
 {
     return key.sectors.size() == key.drawing.strokes.size() &&
-           std::ranges::all_of(key.sectors, [form](const SectorStroke& stroke) { return stroke.form == form; });
+           std::ranges::all_of(key.sectors,
+                               [form](const SectorStroke& stroke) { return stroke.form == form; });
 }
 
 bool is_circular(const Sector& sector) { return sector.radius_x == sector.radius_y; }
@@ -142,13 +143,13 @@ std::optional<std::vector<Drawing>> drawings_of(const std::vector<Key>& keys, co
 }
 
 Track track_of(Property property, const std::vector<Key>& keys, Driver driver, const Trimmed& trimmed,
-               double Window::* share)
+               double Window::*share)
 {
     Track track{.property = property, .keys = {}, .driver = driver};
     for (const Key& key : keys) {
         const double value = trimmed.window_of(sector_of(key)).*share;
-        track.keys.push_back({key.time, key.laws,
-                              static_cast<std::int32_t>(std::lround(value * path_whole)), key.place});
+        track.keys.push_back(
+            {key.time, key.laws, static_cast<std::int32_t>(std::lround(value * path_whole)), key.place});
     }
     const std::int32_t first = track.keys.front().value;
     if (std::ranges::all_of(track.keys, [first](const TrackKey& key) { return key.value == first; }))

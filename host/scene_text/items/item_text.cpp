@@ -59,6 +59,7 @@ public:
         if (shape_.skin)
             add_skin(object_, *shape_.skin, writing_.rigs[shape_.skin->rig]);
         add_width();
+        add_trim();
         add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_);
         return std::move(object_);
     }
@@ -179,6 +180,22 @@ private:
         const bool is_still = keys.size() == 1;
         add_quantity(object_, "width", is_still ? held(keys) : keys, is_still ? still_widths : widths,
                      on_grid(1, widths));
+    }
+
+    void add_trim()
+    {
+        if (!shape_.trim)
+            return;
+        const auto add = [this](std::string_view name, const art::Channel& channel, const Grid& grid,
+                                double whole) {
+            add_quantity(object_, name, stored_keys(channel, writing_.length, grid), grid,
+                         on_grid(whole, grid));
+        };
+        add("trim-from", shape_.trim->start, shares, 0);
+        add("trim-to", shape_.trim->end, shares, 1);
+        add("trim-offset", shape_.trim->offset, offsets, 0);
+        if (shape_.trim->together)
+            set(object_, "trim", text("together"));
     }
 
     /// A width of 0 is allowed only in keys.

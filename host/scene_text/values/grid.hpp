@@ -25,6 +25,7 @@ inline constexpr Grid times{Time::ticks_per_frame, 1, 0, 1'000'000};
 inline constexpr Grid degrees{BinaryAngle::turn, 360, -5760, 5760};
 inline constexpr Grid scales{kfb::max_scale, 64, -64, 64};
 inline constexpr Grid shares{path_whole, 1, 0, 1};
+inline constexpr Grid offsets{path_whole, 1, -16, 16};
 inline constexpr Grid opacities{255, 1, 0, 1};
 inline constexpr Grid widths{16, 1, 0, 4095};
 inline constexpr Grid still_widths{16, 1, 1.0 / 16, 4095};

@@ -107,7 +107,8 @@ struct ExactCurve {
     Spot at(double part) const
     {
         const double length = part * lengths.back();
-        const auto after = static_cast<std::size_t>(std::ranges::upper_bound(lengths, length) - lengths.begin());
+        const auto after =
+            static_cast<std::size_t>(std::ranges::upper_bound(lengths, length) - lengths.begin());
         const std::size_t i = std::clamp<std::size_t>(after, 1, spots.size() - 1);
         const double between = (length - lengths[i - 1]) / (lengths[i] - lengths[i - 1]);
         return spots[i - 1] + between * (spots[i] - spots[i - 1]);
@@ -268,7 +269,8 @@ TEST_CASE("a whole pie turns across its seam as one piece")
     TestStroke pie{pixels(0, 0), {{.from = pixels(0, 0), .to = pixels(10, 0)}}, true};
     const std::vector corners{pixels(10, 0), pixels(0, 10), pixels(-10, 0), pixels(0, -10), pixels(10, 0)};
     for (std::size_t i = 0; i < 4; ++i)
-        pie.segments.push_back({Segment::Kind::cubic, corners[i], corners[i], corners[i + 1], corners[i + 1]});
+        pie.segments.push_back(
+            {Segment::Kind::cubic, corners[i], corners[i], corners[i + 1], corners[i + 1]});
     pie.segments.push_back({.from = pixels(10, 0), .to = pixels(0, 0)});
     const auto pieces = trimmed({pie}, trim_of(0, 0.25, 0.875, TrimMode::sector));
     REQUIRE(pieces.size() == 1);
@@ -282,7 +284,8 @@ TEST_CASE("a dot is drawn or not")
 {
     const TestStroke dot{pixels(3, 4), {still_segment(pixels(3, 4))}};
     CHECK(trimmed({dot}, trim_of(0.25, 0.5)).size() == 1);
-    const std::vector strokes{lines({pixels(0, 0), pixels(10, 0)}), dot, lines({pixels(0, 9), pixels(10, 9)})};
+    const std::vector strokes{lines({pixels(0, 0), pixels(10, 0)}), dot,
+                              lines({pixels(0, 9), pixels(10, 9)})};
     CHECK(trimmed(strokes, trim_of(0.25, 0.75, 0, TrimMode::together)).size() == 3);
     CHECK(trimmed(strokes, trim_of(0.75, 1, 0, TrimMode::together)).size() == 1);
 }
@@ -290,8 +293,8 @@ TEST_CASE("a dot is drawn or not")
 TEST_CASE("pieces are placed, and shares are those before")
 {
     const Affine stretched{.xx = 4 * Fixed::one};
-    const auto pieces = trimmed({lines({pixels(0, 0), pixels(10, 0), pixels(10, 10)})}, trim_of(0.25, 0.75),
-                                stretched);
+    const auto pieces =
+        trimmed({lines({pixels(0, 0), pixels(10, 0), pixels(10, 10)})}, trim_of(0.25, 0.75), stretched);
     REQUIRE(pieces.size() == 1);
     CHECK(pieces[0].from == pixels(20, 0));
     CHECK(pieces[0].to() == pixels(40, 5));

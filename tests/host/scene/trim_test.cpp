@@ -8,7 +8,8 @@ TEST_CASE("an object, its keys and its tracks say which part of its strokes is d
 {
     CHECK(items_read("object o stroke=red trim-from=0.25 trim-to=0.5 trim=together { line 0 0 9 9 }") ==
           "object o @0 trim_from[16384] trim_to[32768] trim[1]");
-    CHECK(items_read("object o stroke=red { line 0 0 9 9; key 0 trim-to=0; key 10 trim-to=1 trim-offset=-2 }") ==
+    CHECK(items_read(
+              "object o stroke=red { line 0 0 9 9; key 0 trim-to=0; key 10 trim-to=1 trim-offset=-2 }") ==
           "object o @0 trim_to[0:0 10:65536] trim_offset[0:0 10:-131072]");
     CHECK(items_read("object o fill=red { rect 0 0 9 9; track trim-to { at 0 0; at 5 1 } }") ==
           "object o @0 trim_to~[0:0 5:65536]");
@@ -41,8 +42,9 @@ TEST_CASE("a drawing with depth is not trimmed")
 
 TEST_CASE("an arc that changes its angles is all that it reaches, trimmed")
 {
-    const std::string read = items_read("object o stroke=red { key 0 law=ease { arc 50 50 r=40 from=0 to=90 }\n"
-                                        "key 10 { arc 50 50 r=40 from=0 to=180 } }");
+    const std::string read =
+        items_read("object o stroke=red { key 0 law=ease { arc 50 50 r=40 from=0 to=90 }\n"
+                   "key 10 { arc 50 50 r=40 from=0 to=180 } }");
     CHECK(read.starts_with("object o @0 trim_from[0] trim_to[0:32768("));
     CHECK(read.ends_with("10:65536] trim_offset[0]"));
     const SceneText scene = read_on_canvas("object o stroke=red { key 0 { arc 50 50 r=40 from=0 to=90 }\n"
@@ -79,7 +81,8 @@ TEST_CASE("pies are trimmed by their angles, also where the author trims them")
 
 TEST_CASE("arcs of ellipses, pieces of rings, and arcs beside others keep their points")
 {
-    for (const std::string shape : {"arc 50 50 rx=40 ry=20", "pie 50 50 r=40 inner=9", "line 1 1 9 9; arc 50 50 r=9"}) {
+    for (const std::string shape :
+         {"arc 50 50 rx=40 ry=20", "pie 50 50 r=40 inner=9", "line 1 1 9 9; arc 50 50 r=9"}) {
         CAPTURE(shape);
         CHECK(items_read("object o stroke=red { key 0 { " + shape + " from=0 to=90 }; key 10 { " + shape +
                          " from=0 to=180 } }")
