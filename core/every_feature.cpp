@@ -9,6 +9,7 @@
 #include "core/raster/outline/stroke_outline.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/track_view.hpp"
+#include "core/time/spring_law.hpp"
 #include "core/tracer.hpp"
 
 using namespace kfast;
@@ -36,6 +37,7 @@ const TextFeature kfast_texts{.check = plain_function<&SceneCheck::check_label>,
 const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_default>,
                                     .show_default = plain_function<&InputDrawings::show_default>,
                                     .trace = plain_function<&Tracer::trace_drawing>};
+const SpringFeature kfast_springs{.progress = spring_progress};
 
 namespace kfast {
 
@@ -48,7 +50,8 @@ const Features every_feature{.strokes = &kfast_strokes,
                              .paths = &kfast_paths,
                              .smooth = &kfast_smooth,
                              .texts = &kfast_texts,
-                             .drawings = &kfast_drawings};
+                             .drawings = &kfast_drawings,
+                             .springs = &kfast_springs};
 
 namespace {
 
@@ -72,6 +75,7 @@ const Features every_feature_but_outlines{.strokes = &strokes_of_beams,
                                           .paths = &kfast_paths,
                                           .smooth = &kfast_smooth,
                                           .texts = &texts_of_beams,
-                                          .drawings = &drawings_of_beams};
+                                          .drawings = &drawings_of_beams,
+                                          .springs = &kfast_springs};
 
 }

@@ -23,16 +23,17 @@ enum class Feature : std::uint8_t {
     smooth,    ///< tracks that go smoothly through their keys
     texts,     ///< texts among the inputs
     drawings,  ///< drawings among the inputs
+    springs,   ///< velocity laws that spring or bounce
 };
 
-inline constexpr std::size_t feature_count = 10;
+inline constexpr std::size_t feature_count = 11;
 
 /// The error of a program that has not the feature, for a scene that needs it.
 constexpr Error error_without(Feature feature)
 {
     return static_cast<Error>(static_cast<int>(Error::needs_strokes) + static_cast<int>(feature));
 }
-static_assert(error_without(Feature{feature_count - 1}) == Error::needs_drawings);
+static_assert(error_without(Feature{feature_count - 1}) == Error::needs_springs);
 
 class FeatureSet {
 public:
@@ -58,6 +59,7 @@ struct PathFeature;
 struct SmoothFeature;
 struct TextFeature;
 struct DrawingFeature;
+struct SpringFeature;
 
 /// What a program links of the player: shapes, groups, keys, laws and tracks always, and the code of the
 /// features that are not null. What nothing refers to, a linker leaves out (-ffunction-sections,
@@ -78,6 +80,7 @@ struct Features {
     const SmoothFeature* smooth = nullptr;
     const TextFeature* texts = nullptr;
     const DrawingFeature* drawings = nullptr;
+    const SpringFeature* springs = nullptr;
 
     constexpr bool has(Feature feature) const;
 };
@@ -111,6 +114,8 @@ constexpr bool Features::has(Feature feature) const
         return texts != nullptr;
     case Feature::drawings:
         return drawings != nullptr;
+    case Feature::springs:
+        return springs != nullptr;
     }
     return false;
 }
@@ -138,6 +143,7 @@ class Tracer;
 struct Affine;
 struct BackbonesView;
 struct DrawingInput;
+struct Fraction;
 struct ItemView;
 struct Key;
 struct LabelView;
@@ -146,9 +152,11 @@ struct PathPlace;
 struct PathView;
 struct Pen;
 struct Point;
+struct Progress;
 struct Space;
 struct TextInput;
 struct Turning;
+struct VelocityLaw;
 
 namespace raster {
 class OutlineStore;
@@ -209,6 +217,10 @@ struct DrawingFeature {
     void (*trace)(Tracer&, SceneWalk&);
 };
 
+struct SpringFeature {
+    Progress (*progress)(const VelocityLaw&, Fraction);
+};
+
 }
 
 // The code of each feature, under names that C has, too.
@@ -224,5 +236,6 @@ extern const kfast::PathFeature kfast_paths;
 extern const kfast::SmoothFeature kfast_smooth;
 extern const kfast::TextFeature kfast_texts;
 extern const kfast::DrawingFeature kfast_drawings;
+extern const kfast::SpringFeature kfast_springs;
 }
 // NOLINTEND(readability-redundant-declaration)

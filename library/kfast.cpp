@@ -57,6 +57,8 @@ constexpr kfast_error code_of(Error error)
         return KFAST_NEEDS_TEXTS;
     case Error::needs_drawings:
         return KFAST_NEEDS_DRAWINGS;
+    case Error::needs_springs:
+        return KFAST_NEEDS_SPRINGS;
     }
     return KFAST_BAD_SCENE;
 }
@@ -72,7 +74,8 @@ kfast::Features features_of(const kfast_features& features)
             .paths = features.paths,
             .smooth = features.smooth,
             .texts = features.texts,
-            .drawings = features.drawings};
+            .drawings = features.drawings,
+            .springs = features.springs};
 }
 
 /// In the order of kfast_error.
@@ -101,8 +104,9 @@ constexpr std::array error_texts{
     error_text(Error::needs_smooth).data(),
     error_text(Error::needs_texts).data(),
     error_text(Error::needs_drawings).data(),
+    error_text(Error::needs_springs).data(),
 };
-static_assert(error_texts.size() == KFAST_NEEDS_DRAWINGS + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_NEEDS_SPRINGS + 1 && code_of(Error::block_too_small) == 6);
 
 /// The maximum of bytes of the block before the player: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;

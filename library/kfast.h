@@ -22,6 +22,7 @@ struct PathFeature;
 struct SmoothFeature;
 struct TextFeature;
 struct DrawingFeature;
+struct SpringFeature;
 }
 typedef const kfast::StrokeFeature kfast_stroke_code;
 typedef const kfast::TweenFeature kfast_tween_code;
@@ -33,6 +34,7 @@ typedef const kfast::PathFeature kfast_path_code;
 typedef const kfast::SmoothFeature kfast_smooth_code;
 typedef const kfast::TextFeature kfast_text_code;
 typedef const kfast::DrawingFeature kfast_drawing_code;
+typedef const kfast::SpringFeature kfast_spring_code;
 extern "C" {
 #else
 typedef const struct kfast_stroke_code kfast_stroke_code;
@@ -45,6 +47,7 @@ typedef const struct kfast_path_code kfast_path_code;
 typedef const struct kfast_smooth_code kfast_smooth_code;
 typedef const struct kfast_text_code kfast_text_code;
 typedef const struct kfast_drawing_code kfast_drawing_code;
+typedef const struct kfast_spring_code kfast_spring_code;
 #endif
 
 typedef enum kfast_error {
@@ -72,7 +75,8 @@ typedef enum kfast_error {
     KFAST_NEEDS_PATHS,
     KFAST_NEEDS_SMOOTH,
     KFAST_NEEDS_TEXTS,
-    KFAST_NEEDS_DRAWINGS
+    KFAST_NEEDS_DRAWINGS,
+    KFAST_NEEDS_SPRINGS
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -103,6 +107,7 @@ extern kfast_path_code kfast_paths;         /* items that follow a path */
 extern kfast_smooth_code kfast_smooth;      /* tracks that go smoothly through their keys */
 extern kfast_text_code kfast_texts;         /* texts among the inputs */
 extern kfast_drawing_code kfast_drawings;   /* drawings among the inputs */
+extern kfast_spring_code kfast_springs;     /* velocity laws that spring or bounce */
 /* NOLINTEND(readability-redundant-declaration) */
 
 /* Which of them a program has; NULL is left out. `kfast export --header` writes what a scene needs:
@@ -119,6 +124,7 @@ typedef struct kfast_features {
     kfast_smooth_code* smooth;
     kfast_text_code* texts;
     kfast_drawing_code* drawings;
+    kfast_spring_code* springs;
 } kfast_features;
 
 /* As kfast_create(), with these features alone, which are copied: a linker that leaves out what nothing

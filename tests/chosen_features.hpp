@@ -23,6 +23,7 @@ Features features_where(Keep keep)
     look_at(Feature::smooth, features.smooth);
     look_at(Feature::texts, features.texts);
     look_at(Feature::drawings, features.drawings);
+    look_at(Feature::springs, features.springs);
     return features;
 }
 

@@ -30,6 +30,7 @@ enum class Error : std::uint8_t {
     needs_smooth,
     needs_texts,
     needs_drawings,
+    needs_springs,
 };
 
 /// A value or the reason why there is none; the part of std::expected (C++23) that KFAST needs.
@@ -118,6 +119,8 @@ constexpr std::string_view error_text(Error error)
         return "needs_texts: the program was built without texts"sv;
     case Error::needs_drawings:
         return "needs_drawings: the program was built without drawings as inputs"sv;
+    case Error::needs_springs:
+        return "needs_springs: the program was built without springs and bounces"sv;
     }
     return ""sv;
 }

@@ -299,6 +299,7 @@ TEST_CASE("a player has the features that it was made with, and refuses by name 
     CHECK(created(&features) == KFAST_NEEDS_STROKES);
     CHECK(std::string{kfast_error_text(KFAST_NEEDS_STROKES)}.starts_with("needs_strokes: "));
     CHECK(std::string{kfast_error_text(KFAST_NEEDS_DRAWINGS)}.starts_with("needs_drawings: "));
+    CHECK(std::string{kfast_error_text(KFAST_NEEDS_SPRINGS)}.starts_with("needs_springs: "));
     features.strokes = &kfast_strokes;
     CHECK(created(&features) == KFAST_OK);
     CHECK(created(nullptr) == KFAST_NULL_POINTER);
