@@ -10,6 +10,7 @@
 #include "core/raster/outline/trimmed_outline.hpp"
 #include "core/scene/check/scene_check.hpp"
 #include "core/scene/track_view.hpp"
+#include "core/time/spring_law.hpp"
 #include "core/tracer.hpp"
 
 using namespace kfast;
@@ -38,6 +39,7 @@ const DrawingFeature kfast_drawings{.check = plain_function<&SceneCheck::check_d
                                     .show_default = plain_function<&InputDrawings::show_default>,
                                     .trace = plain_function<&Tracer::trace_drawing>};
 const TrimFeature kfast_trims{.trace = trace_trimmed};
+const SpringFeature kfast_springs{.progress = spring_progress};
 
 namespace kfast {
 
@@ -51,7 +53,8 @@ const Features every_feature{.strokes = &kfast_strokes,
                              .smooth = &kfast_smooth,
                              .texts = &kfast_texts,
                              .drawings = &kfast_drawings,
-                             .trims = &kfast_trims};
+                             .trims = &kfast_trims,
+                             .springs = &kfast_springs};
 
 namespace {
 
@@ -77,6 +80,7 @@ const Features every_feature_but_outlines{.strokes = &strokes_of_beams,
                                           .smooth = &kfast_smooth,
                                           .texts = &texts_of_beams,
                                           .drawings = &drawings_of_beams,
-                                          .trims = &trims_of_beams};
+                                          .trims = &trims_of_beams,
+                                          .springs = &kfast_springs};
 
 }

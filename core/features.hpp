@@ -24,16 +24,17 @@ enum class Feature : std::uint8_t {
     texts,     ///< texts among the inputs
     drawings,  ///< drawings among the inputs
     trims,     ///< strokes that are drawn in part
+    springs,   ///< velocity laws that spring or bounce
 };
 
-inline constexpr std::size_t feature_count = 11;
+inline constexpr std::size_t feature_count = 12;
 
 /// The error of a program that has not the feature, for a scene that needs it.
 constexpr Error error_without(Feature feature)
 {
     return static_cast<Error>(static_cast<int>(Error::needs_strokes) + static_cast<int>(feature));
 }
-static_assert(error_without(Feature{feature_count - 1}) == Error::needs_trims);
+static_assert(error_without(Feature{feature_count - 1}) == Error::needs_springs);
 
 class FeatureSet {
 public:
@@ -60,6 +61,7 @@ struct SmoothFeature;
 struct TextFeature;
 struct DrawingFeature;
 struct TrimFeature;
+struct SpringFeature;
 
 /// What a program links of the player: shapes, groups, keys, laws and tracks always, and the code of the
 /// features that are not null. What nothing refers to, a linker leaves out (-ffunction-sections,
@@ -81,6 +83,7 @@ struct Features {
     const TextFeature* texts = nullptr;
     const DrawingFeature* drawings = nullptr;
     const TrimFeature* trims = nullptr;
+    const SpringFeature* springs = nullptr;
 
     constexpr bool has(Feature feature) const;
 };
@@ -116,6 +119,8 @@ constexpr bool Features::has(Feature feature) const
         return drawings != nullptr;
     case Feature::trims:
         return trims != nullptr;
+    case Feature::springs:
+        return springs != nullptr;
     }
     return false;
 }
@@ -143,6 +148,7 @@ class Tracer;
 struct Affine;
 struct BackbonesView;
 struct DrawingInput;
+struct Fraction;
 struct ItemView;
 struct Key;
 struct LabelView;
@@ -151,10 +157,12 @@ struct PathPlace;
 struct PathView;
 struct Pen;
 struct Point;
+struct Progress;
 struct Space;
 struct TextInput;
 struct Trim;
 struct Turning;
+struct VelocityLaw;
 
 namespace raster {
 class OutlineStore;
@@ -220,6 +228,10 @@ struct TrimFeature {
                   FunctionRef<void(const Affine&, ObjectOutline&)> trace);
 };
 
+struct SpringFeature {
+    Progress (*progress)(const VelocityLaw&, Fraction);
+};
+
 }
 
 // The code of each feature, under names that C has, too.
@@ -236,5 +248,6 @@ extern const kfast::SmoothFeature kfast_smooth;
 extern const kfast::TextFeature kfast_texts;
 extern const kfast::DrawingFeature kfast_drawings;
 extern const kfast::TrimFeature kfast_trims;
+extern const kfast::SpringFeature kfast_springs;
 }
 // NOLINTEND(readability-redundant-declaration)

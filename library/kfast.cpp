@@ -59,6 +59,8 @@ constexpr kfast_error code_of(Error error)
         return KFAST_NEEDS_DRAWINGS;
     case Error::needs_trims:
         return KFAST_NEEDS_TRIMS;
+    case Error::needs_springs:
+        return KFAST_NEEDS_SPRINGS;
     }
     return KFAST_BAD_SCENE;
 }
@@ -75,7 +77,8 @@ kfast::Features features_of(const kfast_features& features)
             .smooth = features.smooth,
             .texts = features.texts,
             .drawings = features.drawings,
-            .trims = features.trims};
+            .trims = features.trims,
+            .springs = features.springs};
 }
 
 /// In the order of kfast_error.
@@ -105,8 +108,9 @@ constexpr std::array error_texts{
     error_text(Error::needs_texts).data(),
     error_text(Error::needs_drawings).data(),
     error_text(Error::needs_trims).data(),
+    error_text(Error::needs_springs).data(),
 };
-static_assert(error_texts.size() == KFAST_NEEDS_TRIMS + 1 && code_of(Error::block_too_small) == 6);
+static_assert(error_texts.size() == KFAST_NEEDS_SPRINGS + 1 && code_of(Error::block_too_small) == 6);
 
 /// The maximum of bytes of the block before the player: its alignment is not known before.
 constexpr std::size_t widest_gap = alignof(kfast_player) - 1;

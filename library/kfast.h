@@ -23,6 +23,7 @@ struct SmoothFeature;
 struct TextFeature;
 struct DrawingFeature;
 struct TrimFeature;
+struct SpringFeature;
 }
 typedef const kfast::StrokeFeature kfast_stroke_code;
 typedef const kfast::TweenFeature kfast_tween_code;
@@ -35,6 +36,7 @@ typedef const kfast::SmoothFeature kfast_smooth_code;
 typedef const kfast::TextFeature kfast_text_code;
 typedef const kfast::DrawingFeature kfast_drawing_code;
 typedef const kfast::TrimFeature kfast_trim_code;
+typedef const kfast::SpringFeature kfast_spring_code;
 extern "C" {
 #else
 typedef const struct kfast_stroke_code kfast_stroke_code;
@@ -48,6 +50,7 @@ typedef const struct kfast_smooth_code kfast_smooth_code;
 typedef const struct kfast_text_code kfast_text_code;
 typedef const struct kfast_drawing_code kfast_drawing_code;
 typedef const struct kfast_trim_code kfast_trim_code;
+typedef const struct kfast_spring_code kfast_spring_code;
 #endif
 
 typedef enum kfast_error {
@@ -76,7 +79,8 @@ typedef enum kfast_error {
     KFAST_NEEDS_SMOOTH,
     KFAST_NEEDS_TEXTS,
     KFAST_NEEDS_DRAWINGS,
-    KFAST_NEEDS_TRIMS
+    KFAST_NEEDS_TRIMS,
+    KFAST_NEEDS_SPRINGS
 } kfast_error;
 
 /* The name of an error and what it means, for people. */
@@ -108,6 +112,7 @@ extern kfast_smooth_code kfast_smooth;      /* tracks that go smoothly through t
 extern kfast_text_code kfast_texts;         /* texts among the inputs */
 extern kfast_drawing_code kfast_drawings;   /* drawings among the inputs */
 extern kfast_trim_code kfast_trims;         /* strokes that are drawn in part */
+extern kfast_spring_code kfast_springs;     /* velocity laws that spring or bounce */
 /* NOLINTEND(readability-redundant-declaration) */
 
 /* Which of them a program has; NULL is left out. `kfast export --header` writes what a scene needs:
@@ -125,6 +130,7 @@ typedef struct kfast_features {
     kfast_text_code* texts;
     kfast_drawing_code* drawings;
     kfast_trim_code* trims;
+    kfast_spring_code* springs;
 } kfast_features;
 
 /* As kfast_create(), with these features alone, which are copied: a linker that leaves out what nothing

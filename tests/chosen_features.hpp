@@ -24,6 +24,7 @@ Features features_where(Keep keep)
     look_at(Feature::texts, features.texts);
     look_at(Feature::drawings, features.drawings);
     look_at(Feature::trims, features.trims);
+    look_at(Feature::springs, features.springs);
     return features;
 }
 

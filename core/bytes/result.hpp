@@ -31,6 +31,7 @@ enum class Error : std::uint8_t {
     needs_texts,
     needs_drawings,
     needs_trims,
+    needs_springs,
 };
 
 /// A value or the reason why there is none; the part of std::expected (C++23) that KFAST needs.
@@ -121,6 +122,8 @@ constexpr std::string_view error_text(Error error)
         return "needs_drawings: the program was built without drawings as inputs"sv;
     case Error::needs_trims:
         return "needs_trims: the program was built without strokes that are drawn in part"sv;
+    case Error::needs_springs:
+        return "needs_springs: the program was built without springs and bounces"sv;
     }
     return ""sv;
 }

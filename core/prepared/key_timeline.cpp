@@ -13,7 +13,9 @@ void KeyTimeline::move_to(Time time, const SceneView& scene)
     if (time >= end_)
         go_on(time, scene);
     const ProgressXY before = progress_;
-    progress_ = is_between_ ? progress_between(begin_, end_, time, scene.laws_at(laws_)) : ProgressXY{};
+    progress_ = is_between_
+                    ? progress_between(begin_, end_, time, scene.laws_at(laws_), scene.features().springs)
+                    : ProgressXY{};
     const bool has_come_further = progress_ != before || (moves_with_time_ && is_between_ && time != now_);
     has_moved_ = has_other_keys_ || has_come_further;
     now_ = time;

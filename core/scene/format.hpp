@@ -58,9 +58,9 @@ inline constexpr std::uint32_t as_for_x = 15; ///< in the place of the law for y
 template <class Law, class Use>
 constexpr void each_parameter(Law& law, Use use)
 {
-    if (law.kind == VelocityLaw::Kind::steps)
-        use(law.steps);
-    if (law.kind == VelocityLaw::Kind::bezier)
+    if (law.kind == VelocityLaw::Kind::steps || is_spring(law))
+        use(law.count);
+    if (law.kind == VelocityLaw::Kind::bezier || law.kind == VelocityLaw::Kind::spring)
         for (const auto number : {&VelocityLaw::x1, &VelocityLaw::y1, &VelocityLaw::x2, &VelocityLaw::y2})
             use(law.*number);
 }

@@ -4,7 +4,7 @@
 
 namespace kfast {
 
-ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws)
+ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws, const SpringFeature* springs)
 {
     if (time <= from || time >= to)
         return {};
@@ -12,8 +12,8 @@ ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws)
     const auto whole = static_cast<std::uint32_t>((to - from).ticks);
     // Rounded up to the whole, the fraction would end a hold too early.
     const Fraction fraction = std::min(Fraction::ratio(passed, whole), Fraction{Fraction::one - 1});
-    const Progress x = progress(laws.x, fraction);
-    return {x, laws.y == laws.x ? x : progress(laws.y, fraction)};
+    const Progress x = progress(laws.x, fraction, springs);
+    return {x, laws.y == laws.x ? x : progress(laws.y, fraction, springs)};
 }
 
 namespace {

@@ -57,8 +57,8 @@ struct ProgressXY {
 };
 
 /// The progress at `time` from a key at `from` to one at `to`; 0 unless `time` is after `from` and before
-/// `to`.
-ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws);
+/// `to`. `springs` is not null if one of the laws needs the feature.
+ProgressXY progress_between(Time from, Time to, Time time, const LawPair& laws, const SpringFeature* springs);
 
 /// Values of tracks are computed in 1/256 of their unit.
 inline constexpr int fine_bits = 8;

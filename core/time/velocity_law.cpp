@@ -1,6 +1,7 @@
 #include "core/time/velocity_law.hpp"
 
 #include "core/bytes/op_counter.hpp"
+#include "core/features.hpp"
 #include "core/math/angle.hpp"
 
 namespace kfast {
@@ -82,7 +83,7 @@ Progress progress_on(Cubic x, Cubic y, Fraction time)
 
 }
 
-Progress progress(const VelocityLaw& law, Fraction time)
+Progress progress(const VelocityLaw& law, Fraction time, const SpringFeature* springs)
 {
     if (time == Fraction{} || time.raw == Fraction::one)
         return progress_of(time);
@@ -99,9 +100,13 @@ Progress progress(const VelocityLaw& law, Fraction time)
     case VelocityLaw::Kind::hold:
         return {};
     case VelocityLaw::Kind::steps:
-        return progress_of(stepped(time, law.steps));
+        return progress_of(stepped(time, law.count));
     case VelocityLaw::Kind::bezier:
         return progress_on(from_0_to_1(law.x1, law.x2), from_0_to_1(law.y1, law.y2), time);
+    case VelocityLaw::Kind::bounce:
+    case VelocityLaw::Kind::spring:
+        expects(springs != nullptr);
+        return springs->progress(law, time);
     }
     return progress_of(time);
 }

@@ -6,11 +6,11 @@ enum {
     robot_eyes_bytes = 305,
     robot_eyes_width = 240, /* of the panel */
     robot_eyes_height = 240,
-    robot_eyes_block_bytes = 7223 /* of memory to be lent: the player and what the scene needs on such a panel */
+    robot_eyes_block_bytes = 7231 /* of memory to be lent: the player and what the scene needs on such a panel */
 };
 
 /* What it needs of the player, for a program that plays nothing else: kfast.h, kfast_features */
-#define ROBOT_EYES_FEATURES {0, &kfast_tweens, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define ROBOT_EYES_FEATURES {0, &kfast_tweens, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 
 static const unsigned char robot_eyes[robot_eyes_bytes] = {
     0x4b, 0x46, 0x42, 0x03, 0x93, 0xc4, 0xae, 0xc7, 0xa7, 0x02, 0xf4, 0x03, 0x78, 0x3d, 0x51, 0xac,

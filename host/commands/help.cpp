@@ -1,6 +1,7 @@
 #include "host/commands/command.hpp"
 #include "host/commands/help/command_words.hpp"
 #include "host/commands/help/help_page.hpp"
+#include "host/commands/help/law_page.hpp"
 #include "host/commands/help/man_page.hpp"
 #include "host/commands/help/schema_lists.hpp"
 #include "host/commands/help/shell_completions.hpp"
@@ -33,19 +34,28 @@ std::vector<std::string_view> names_of_commands_in(const CLI::App& app)
     return names;
 }
 
-/// What it does, with_help_as_option() has done before it could be called.
+/// What it does for a command, with_help_as_option() has done before it could be called.
 void declare_help(CLI::App& app)
 {
     const auto words = std::make_shared<std::vector<std::string>>();
     CLI::Option* const command = app.add_option("COMMAND", *words, "As in: kfast help render");
-    offer(command, names_of_commands_in(*app.get_parent()));
-    app.callback([words] {}); // they are kept until the command line has been read
+    std::vector<std::string_view> offered = names_of_commands_in(*app.get_parent());
+    offered.push_back("laws");
+    offer(command, offered);
+    app.callback([words] {
+        if (*words == std::vector<std::string>{"laws"})
+            std::cout << law_page(style_of_standard_output());
+    });
 }
 
 }
 
-const Command help_command{
-    "help", "Print the help of kfast, or of a command", "kfast help render", declare_help, {}, help_group};
+const Command help_command{"help",
+                           "Print the help of kfast, of a command, or the curves of all velocity laws",
+                           "kfast help render\n  kfast help laws",
+                           declare_help,
+                           {},
+                           help_group};
 
 namespace {
 

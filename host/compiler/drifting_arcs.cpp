@@ -1,5 +1,6 @@
 #include "host/compiler/drifting_arcs.hpp"
 
+#include "core/features.hpp"
 #include "core/time/track.hpp"
 #include "host/compiler/carry/backbone_cells.hpp"
 #include "host/compiler/match/match_by_count.hpp"
@@ -152,7 +153,7 @@ private:
                  const SegmentPairs& stroke)
     {
         for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
-            const ProgressXY progress = progress_between(key.time, next.time, time, key.laws);
+            const ProgressXY progress = progress_between(key.time, next.time, time, key.laws, &kfast_springs);
             const Sector sector = interpolated(sectors.a.sector, sectors.b.sector, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
             const double by = drift(sector, stroke_spots(stroke, progress, chords_of(radius)));

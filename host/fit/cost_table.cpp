@@ -29,7 +29,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     {
         .code = 81648,
         .bare_code = 57112,
-        .feature_code = {2448, 5284, 4676, 5952, 2240, 4144, 888, 608, 1544, 1512, 1500},
+        .feature_code = {2448, 5284, 4676, 5952, 2240, 4144, 888, 608, 1544, 1512, 1500, 580},
         .fixed_ram = 4,
         .stack = 5728,
         .cycles = 1.68,
@@ -97,7 +97,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     {
         .code = 78944,
         .bare_code = 55020,
-        .feature_code = {2556, 5036, 4552, 5812, 2164, 3860, 848, 544, 1556, 1540, 1500},
+        .feature_code = {2556, 5036, 4552, 5812, 2164, 3860, 848, 544, 1556, 1540, 1500, 520},
         .fixed_ram = 4,
         .stack = 5560,
         .cycles = 1.79,
@@ -165,7 +165,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     {
         .code = 78932,
         .bare_code = 55040,
-        .feature_code = {2560, 5024, 4552, 5788, 2164, 3852, 848, 544, 1552, 1536, 1500},
+        .feature_code = {2560, 5024, 4552, 5788, 2164, 3852, 848, 544, 1552, 1536, 1500, 512},
         .fixed_ram = 4,
         .stack = 5560,
         .cycles = 1.79,
@@ -233,7 +233,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     {
         .code = 78992,
         .bare_code = 55100,
-        .feature_code = {2576, 5020, 4544, 5784, 2168, 3848, 848, 544, 1552, 1536, 1500},
+        .feature_code = {2576, 5020, 4544, 5784, 2168, 3848, 848, 544, 1552, 1536, 1500, 516},
         .fixed_ram = 4,
         .stack = 5552,
         .cycles = 1.66,
@@ -301,7 +301,7 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     {
         .code = 78940,
         .bare_code = 55044,
-        .feature_code = {2560, 5028, 4552, 5800, 2164, 3856, 848, 544, 1556, 1540, 1500},
+        .feature_code = {2560, 5028, 4552, 5800, 2164, 3856, 848, 544, 1556, 1540, 1500, 520},
         .fixed_ram = 4,
         .stack = 5560,
         .cycles = 1.79,

@@ -2,6 +2,7 @@
 
 #include "host/text/number_text.hpp"
 #include "host/words/law_words.hpp"
+#include "host/words/spring_words.hpp"
 
 #include <array>
 #include <cstdio>
@@ -13,7 +14,7 @@ namespace {
 /// In the order of Feature.
 constexpr std::array<std::string_view, feature_count> names{"strokes", "tweens",   "bones", "backbones",
                                                             "depth",   "wires",    "paths", "smooth",
-                                                            "texts",   "drawings", "trims"};
+                                                            "texts",   "drawings", "trims", "springs"};
 
 }
 
@@ -107,10 +108,12 @@ std::string control_text(std::int16_t control)
 
 std::string law_text(const VelocityLaw& law)
 {
+    if (is_spring(law))
+        return spring_text(law);
     const std::string keyword{word_of(law.kind).keyword};
     switch (law.kind) {
     case VelocityLaw::Kind::steps:
-        return keyword + '(' + std::to_string(law.steps) + ')';
+        return keyword + '(' + std::to_string(law.count) + ')';
     case VelocityLaw::Kind::bezier:
         return keyword + '(' + control_text(law.x1) + ',' + control_text(law.y1) + ',' +
                control_text(law.x2) + ',' + control_text(law.y2) + ')';

@@ -181,14 +181,8 @@ constexpr std::array synonym_table{
     Synonym{"segment", "clip"},
     Synonym{"version", "kfast"},
     // laws and other values
-    Synonym{"linear", "constant"},
     Synonym{"step", "hold"},
-    Synonym{"step-end", "hold"},
     Synonym{"discrete", "hold"},
-    Synonym{"ease-in-sine", "accelerate"},
-    Synonym{"ease-out-sine", "decelerate"},
-    Synonym{"ease-in-out-sine", "accelerate-decelerate"},
-    Synonym{"cubic-bezier", "bezier"},
     Synonym{"middle", "center"},
     Synonym{"centre", "center"},
     Synonym{"start", "left"},
@@ -242,9 +236,7 @@ constexpr std::array absents{
     Absent{"dasharray", "dashes"},
     Absent{"stroke-dasharray", "dashes"},
     Absent{"stroke-dashoffset", "dashes"},
-    Absent{"spring", "springs"},
-    Absent{"elastic", "springs"},
-    Absent{"bounce", "springs"},
+    Absent{"step-start", "jumps at the beginning"},
     Absent{"state", "states"},
     Absent{"states", "states"},
     Absent{"state-machine", "states"},
@@ -258,8 +250,16 @@ constexpr std::array absents{
     Absent{"audio", "sounds"},
 };
 
-/// The word as in the tables: strokeWidth and stroke_width as stroke-width.
-std::string plain(std::string_view word)
+bool is_among(std::span<const std::string_view> known, std::string_view word)
+{
+    return std::ranges::find(known, word) != known.end();
+}
+
+}
+
+std::span<const Synonym> synonyms() { return synonym_table; }
+
+std::string plain_word(std::string_view word)
 {
     std::string text;
     for (const char letter : word) {
@@ -271,18 +271,9 @@ std::string plain(std::string_view word)
     return text;
 }
 
-bool is_among(std::span<const std::string_view> known, std::string_view word)
-{
-    return std::ranges::find(known, word) != known.end();
-}
-
-}
-
-std::span<const Synonym> synonyms() { return synonym_table; }
-
 std::string hint_of_absent(std::string_view word)
 {
-    const auto absent = std::ranges::find(absents, plain(word), &Absent::word);
+    const auto absent = std::ranges::find(absents, plain_word(word), &Absent::word);
     if (absent == absents.end())
         return {};
     return "there are no " + std::string{absent->things} +
@@ -291,7 +282,7 @@ std::string hint_of_absent(std::string_view word)
 
 std::string_view meaning_among(std::span<const std::string_view> known, std::string_view word)
 {
-    const std::string name = plain(word);
+    const std::string name = plain_word(word);
     if (const auto same = std::ranges::find(known, name); same != known.end())
         return *same;
     const auto synonym = std::ranges::find_if(synonym_table, [&](const Synonym& candidate) {

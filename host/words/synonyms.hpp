@@ -22,6 +22,9 @@ std::span<const Synonym> synonyms();
 /// The one of `known` that means what `word` does in CSS, SVG or another program; empty: there is none.
 std::string_view meaning_among(std::span<const std::string_view> known, std::string_view word);
 
+/// "strokeWidth" and "stroke_width" as "stroke-width".
+std::string plain_word(std::string_view word);
+
 /// What word_hint() says of a thing that the language lacks; empty if `word` is no name of one.
 std::string hint_of_absent(std::string_view word);
 

@@ -4,6 +4,7 @@
 #include "core/scene/format.hpp"
 #include "core/scene/input_view.hpp"
 #include "core/scene/scene_view.hpp"
+#include "core/time/spring_law.hpp"
 #include "host/walk/every_item.hpp"
 #include "tests/fuzz/kinds.hpp"
 #include "tests/fuzz/seed_files.hpp"
@@ -54,6 +55,9 @@ private:
         const LawPair laws = scene_.laws(number);
         see("Laws: law", laws.x.kind);
         see("Laws: law", laws.y.kind);
+        for (const VelocityLaw& law : {laws.x, laws.y})
+            if (is_spring(law))
+                see("Laws: springs at", end_of(law));
         see("Laws: law for y", laws.y != laws.x);
     }
 

@@ -300,6 +300,7 @@ TEST_CASE("a player has the features that it was made with, and refuses by name 
     CHECK(std::string{kfast_error_text(KFAST_NEEDS_STROKES)}.starts_with("needs_strokes: "));
     CHECK(std::string{kfast_error_text(KFAST_NEEDS_DRAWINGS)}.starts_with("needs_drawings: "));
     CHECK(std::string{kfast_error_text(KFAST_NEEDS_TRIMS)}.starts_with("needs_trims: "));
+    CHECK(std::string{kfast_error_text(KFAST_NEEDS_SPRINGS)}.starts_with("needs_springs: "));
     features.strokes = &kfast_strokes;
     CHECK(created(&features) == KFAST_OK);
     CHECK(created(nullptr) == KFAST_NULL_POINTER);

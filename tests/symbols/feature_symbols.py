@@ -21,6 +21,8 @@ CODE = {
     "smooth": r"kfast::hermite|kfast::PreparedScene::smooth_value",
     "texts": r"kfast::LabelTrace::|kfast::is_label_valid|kfast::LabelLayout::",
     "drawings": r"kfast::trace_live_strokes|kfast::InputDrawings::show_default",
+    "trims": r"kfast::StrokeTrimmer::|kfast::trace_trimmed",
+    "springs": r"kfast::spring_progress",
 }
 
 

@@ -47,8 +47,9 @@ bool SceneCheck::check_laws()
 {
     for (std::uint32_t number = 1; number <= scene_.law_count_; ++number) {
         const LawPair laws = scene_.laws(number);
-        if (!is_valid(laws.x) || !is_valid(laws.y))
-            return false;
+        for (const VelocityLaw* const law : {&laws.x, &laws.y})
+            if (!is_valid(*law) || (is_spring(*law) && !needs(Feature::springs)))
+                return false;
         if (laws.x == VelocityLaw::hold)
             holds_[number / 32] |= 1U << number % 32;
     }

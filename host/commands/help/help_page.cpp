@@ -22,11 +22,6 @@ struct HelpList {
     std::vector<std::pair<std::string, std::string>> rows;
 };
 
-std::string heading_text(const std::string& heading, const HelpStyle& style)
-{
-    return style.has_colour ? "\x1b[1;36m" + heading + ":\x1b[0m\n" : heading + ":\n";
-}
-
 std::string term_text(const OptionWords& option)
 {
     std::string term;
@@ -35,25 +30,6 @@ std::string term_text(const OptionWords& option)
     if (!option.is_positional && option.takes_value)
         term += ' ' + option.type;
     return option.takes_many && option.is_positional ? term + " ..." : term;
-}
-
-/// `text` in lines of at most `width` letters, of which all but the first are indented.
-std::string broken(const std::string& text, std::size_t indent, std::size_t width)
-{
-    std::istringstream words{text};
-    std::string lines;
-    std::size_t length = 0;
-    for (std::string word; words >> word; length += word.size()) {
-        if (length > 0 && length + 1 + word.size() > width) {
-            lines += '\n' + std::string(indent, ' ');
-            length = 0;
-        } else if (length > 0) {
-            lines += ' ';
-            ++length;
-        }
-        lines += word;
-    }
-    return lines;
 }
 
 std::string row_of(const std::pair<std::string, std::string>& row, std::size_t column, const HelpStyle& style)
@@ -65,7 +41,7 @@ std::string row_of(const std::pair<std::string, std::string>& row, std::size_t c
     line +=
         line.size() + 2 > column ? '\n' + std::string(column, ' ') : std::string(column - line.size(), ' ');
     const bool is_broken = style.width >= column + narrowest_text;
-    return line + (is_broken ? broken(text, column, style.width - column) : text) + '\n';
+    return line + (is_broken ? broken_text(text, column, style.width - column) : text) + '\n';
 }
 
 std::size_t text_column(const std::vector<HelpList>& lists)
@@ -116,7 +92,7 @@ std::string footer_text(const std::string& footer, const HelpStyle& style)
     std::string text;
     for (std::string line; std::getline(lines, line);) {
         const bool is_heading = line.ends_with(':') && !line.starts_with(' ');
-        text += is_heading ? heading_text(line.substr(0, line.size() - 1), style) : line + '\n';
+        text += is_heading ? help_heading(line.substr(0, line.size() - 1), style) : line + '\n';
     }
     return text;
 }
@@ -134,13 +110,36 @@ HelpStyle style_of_standard_output()
             .width = has_width ? std::min<std::size_t>(window.ws_col, widest_page) : 0};
 }
 
+std::string help_heading(const std::string& heading, const HelpStyle& style)
+{
+    return style.has_colour ? "\x1b[1;36m" + heading + ":\x1b[0m\n" : heading + ":\n";
+}
+
+std::string broken_text(const std::string& text, std::size_t indent, std::size_t width)
+{
+    std::istringstream words{text};
+    std::string lines;
+    std::size_t length = 0;
+    for (std::string word; words >> word; length += word.size()) {
+        if (length > 0 && length + 1 + word.size() > width) {
+            lines += '\n' + std::string(indent, ' ');
+            length = 0;
+        } else if (length > 0) {
+            lines += ' ';
+            ++length;
+        }
+        lines += word;
+    }
+    return lines;
+}
+
 std::string help_page(const CommandWords& command, const HelpStyle& style)
 {
     std::string text = command.summary + '\n' + usage_text(command);
     const std::vector<HelpList> lists = lists_of(command);
     const std::size_t column = text_column(lists);
     for (const HelpList& list : lists) {
-        text += '\n' + heading_text(list.heading, style);
+        text += '\n' + help_heading(list.heading, style);
         for (const auto& row : list.rows)
             text += row_of(row, column, style);
     }
@@ -158,7 +157,7 @@ std::string help_of(const CLI::App& app)
 std::vector<std::string> with_help_as_option(std::vector<std::string> arguments)
 {
     const bool is_help = arguments.size() > 1 && arguments[1] == "help";
-    if (!is_help || (arguments.size() > 2 && arguments[2].starts_with('-')))
+    if (!is_help || (arguments.size() > 2 && (arguments[2].starts_with('-') || arguments[2] == "laws")))
         return arguments;
     arguments.erase(arguments.begin() + 1);
     arguments.emplace_back("--help");

@@ -92,7 +92,7 @@ std::string description(const ValueKind& kind)
     case ValueType::name:
         return "a name";
     case ValueType::law:
-        return "a velocity law: a word, steps(n) or bezier(x1,y1,x2,y2)";
+        return "a velocity law: a word, or one with numbers such as steps(n) or bezier(x1,y1,x2,y2)";
     case ValueType::spot:
         return "a place: X,Y";
     case ValueType::path:

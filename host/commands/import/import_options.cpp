@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace kfast {
 
@@ -45,10 +47,13 @@ bool is_importable(VelocityLaw::Kind kind)
 /// "constant, hold, ease or bezier(x1,y1,x2,y2)"
 std::string importable_laws()
 {
-    std::string text;
+    std::vector<std::string_view> forms;
     for (const LawWord& word : law_words)
         if (is_importable(word.law.kind))
-            text.append(text.empty() ? "" : word.has_numbers() ? " or " : ", ").append(word.form);
+            forms.push_back(word.form);
+    std::string text;
+    for (const std::string_view form : forms)
+        text.append(text.empty() ? "" : form == forms.back() ? " or " : ", ").append(form);
     return text;
 }
 
@@ -68,6 +73,8 @@ art::Ease read_ease(const std::string& option, const std::string& text)
     case VelocityLaw::Kind::decelerate:
     case VelocityLaw::Kind::accelerate_decelerate:
     case VelocityLaw::Kind::steps:
+    case VelocityLaw::Kind::bounce:
+    case VelocityLaw::Kind::spring:
         break;
     }
     throw CLI::ValidationError(option, '\'' + text + "' cannot be imported: take " + importable_laws());

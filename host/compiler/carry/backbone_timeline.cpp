@@ -1,5 +1,6 @@
 #include "host/compiler/carry/backbone_timeline.hpp"
 
+#include "core/features.hpp"
 #include "core/time/track.hpp"
 #include "host/compiler/pack/pack_drawing.hpp"
 
@@ -52,7 +53,8 @@ PosedBackbones BackboneTimeline::at(Time time, std::uint32_t unit_bits, std::spa
     const auto next = static_cast<std::size_t>(later);
     const std::size_t from = next == 0 ? 0 : next - 1;
     const std::size_t to = next == 0 || next == keys_.size() ? from : next;
-    const ProgressXY progress = progress_between(keys_[from].time, keys_[to].time, time, keys_[from].laws);
+    const ProgressXY progress =
+        progress_between(keys_[from].time, keys_[to].time, time, keys_[from].laws, &kfast_springs);
     return {nodes, unit_bits, drawing(from), drawing(to), progress};
 }
 

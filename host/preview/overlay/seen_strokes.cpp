@@ -1,5 +1,6 @@
 #include "host/preview/overlay/seen_strokes.hpp"
 
+#include "core/features.hpp"
 #include "core/math/flatten.hpp"
 #include "core/math/projection.hpp"
 #include "core/pose/input_drawing.hpp"
@@ -133,7 +134,8 @@ private:
         const Time time = moment_.at(keys.key_times().driver());
         const auto [from, to] = interval_at(keys, time);
         return {on_panel_.backbone_nodes, object_.backbones.unit_bits, scene.drawing(from.drawing),
-                scene.drawing(to.drawing), progress_between(from.time, to.time, time, scene.laws(from.laws))};
+                scene.drawing(to.drawing),
+                progress_between(from.time, to.time, time, scene.laws(from.laws), &kfast_springs)};
     }
 
     const SceneOnPanel& on_panel_;
@@ -148,7 +150,8 @@ bool stands_at_key(const SceneView& scene, const ObjectView& object, const Scene
     const KeyCursor keys = object.keys();
     const Time time = moment.at(keys.key_times().driver());
     const auto [from, to] = interval_at(keys, time);
-    return progress_between(from.time, to.time, time, scene.laws(from.laws)).is_at_beginning();
+    return progress_between(from.time, to.time, time, scene.laws(from.laws), &kfast_springs)
+        .is_at_beginning();
 }
 
 void trace_live(const SceneOnPanel& on_panel, const LiveView& live, const Affine& placement,

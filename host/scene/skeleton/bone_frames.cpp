@@ -1,5 +1,6 @@
 #include "host/scene/skeleton/bone_frames.hpp"
 
+#include "core/features.hpp"
 #include "core/math/angle.hpp"
 #include "core/time/track.hpp"
 #include "host/geometry/arc.hpp"
@@ -31,7 +32,7 @@ double value_at(const Bone& bone, BoneQuantity quantity, Time time)
     if (to == keys.begin() || to == keys.end())
         return (to == keys.begin() ? keys.front() : keys.back()).value;
     const TrackKey& from = *(to - 1);
-    const ProgressXY progress = progress_between(from.time, to->time, time, from.laws);
+    const ProgressXY progress = progress_between(from.time, to->time, time, from.laws, &kfast_springs);
     const Progress eased = quantity == BoneQuantity::y ? progress.y : progress.x;
     return from.value +
            way_between(from, *to, goes_the_shortest_way(bone, quantity)) * eased.raw / Progress::one;

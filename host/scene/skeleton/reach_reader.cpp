@@ -1,5 +1,6 @@
 #include "host/scene/skeleton/reach_reader.hpp"
 
+#include "core/features.hpp"
 #include "core/math/angle.hpp"
 #include "core/time/track.hpp"
 #include "host/scene/context/limits.hpp"
@@ -147,7 +148,8 @@ Vec2 target_at(const Reach& reach, Time time)
     const ReachTarget& from = *(to - 1);
     if (to == reach.targets.end())
         return from.spot;
-    const Progress progress = progress_between(from.time, to->time, time, {from.law, from.law}).x;
+    const Progress progress =
+        progress_between(from.time, to->time, time, {from.law, from.law}, &kfast_springs).x;
     return from.spot + static_cast<double>(progress.raw) / Progress::one * (to->spot - from.spot);
 }
 

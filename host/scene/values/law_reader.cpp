@@ -1,16 +1,16 @@
 #include "host/scene/values/law_reader.hpp"
 
 #include "host/geometry/path_scanner.hpp"
+#include "host/scene/values/law_calls.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/text/characters.hpp"
+#include "host/words/easing_names.hpp"
 #include "host/words/law_words.hpp"
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,51 +19,18 @@ namespace kfast::scene {
 
 namespace {
 
-struct Parameter {
-    std::string_view name;
-    Range range;
-};
-
-constexpr Range control_x{0, 1};
-constexpr Range control_y{double{VelocityLaw::lowest_y} / VelocityLaw::control_one,
-                          double{VelocityLaw::highest_y} / VelocityLaw::control_one};
-constexpr std::array step_parameters{Parameter{"n", {1, std::numeric_limits<std::uint16_t>::max()}}};
-constexpr std::array bezier_parameters{Parameter{"x1", control_x}, Parameter{"y1", control_y},
-                                       Parameter{"x2", control_x}, Parameter{"y2", control_y}};
-
-/// A law with numbers in parentheses.
-struct CallForm {
-    const LawWord& word;
-    std::span<const Parameter> parameters;
-    bool whole_numbers;
-    VelocityLaw (*make)(std::span<const double> numbers);
-};
-
-constexpr std::array calls{
-    CallForm{
-        word_of(VelocityLaw::Kind::steps), step_parameters, true,
-        [](std::span<const double> n) { return VelocityLaw::in_steps(static_cast<std::uint16_t>(n[0])); }},
-    CallForm{word_of(VelocityLaw::Kind::bezier), bezier_parameters, false,
-             [](std::span<const double> n) { return bezier_law(n[0], n[1], n[2], n[3]); }},
-};
-
 constexpr auto law_names = [] {
     std::array<std::string_view, law_words.size()> names;
     std::ranges::transform(law_words, names.begin(), &LawWord::keyword);
     return names;
 }();
 
-const CallForm& form_of(const LawWord& word)
-{
-    return *std::ranges::find(calls, &word, [](const CallForm& call) { return &call.word; });
-}
-
 std::string hint_for(std::string_view form) { return "write \"" + std::string{form} + "\""; }
 
 std::string count_of_numbers(const CallForm& call)
 {
     const std::size_t count = call.parameters.size();
-    return std::string{call.word.keyword} + " takes " +
+    return std::string{call.keyword} + " takes " +
            (count == 1 ? "one number" : std::to_string(count) + " numbers");
 }
 
@@ -77,7 +44,9 @@ public:
     std::optional<VelocityLaw> read();
 
 private:
+    std::optional<VelocityLaw> read_rest(const LawWord& word);
     std::optional<VelocityLaw> read_call(const CallForm& call);
+    bool read_jump();
     std::optional<double> read_number(const CallForm& call, const Parameter& parameter);
     bool expect(char mark, const CallForm& call);
     bool expect_end(std::string_view form);
@@ -100,14 +69,24 @@ std::optional<VelocityLaw> LawReader::read()
     scanner_.skip_space();
     const std::size_t begin = scanner_.offset();
     const std::string_view name = take_name();
-    const auto word = std::ranges::find(law_words, name, &LawWord::keyword);
-    if (word == law_words.end())
+    const std::string_view law = law_of_easing(name);
+    if (law.empty())
         fail(begin, "unknown law " + in_quotes(name), word_hint(name, law_names));
-    else if (word->has_numbers())
-        return read_call(form_of(*word));
+    else if (law.find('(') == std::string_view::npos)
+        return read_rest(word_called(law));
     else if (expect_end(name))
-        return word->law;
+        return LawReader{value_, law, report_}.read();
     return std::nullopt;
+}
+
+std::optional<VelocityLaw> LawReader::read_rest(const LawWord& word)
+{
+    if (!word.has_numbers())
+        return expect_end(word.form) ? std::optional{word.law} : std::nullopt;
+    const CallForm& call = call_of(word.keyword);
+    if (!call.has_usual_numbers() || next() == '(')
+        return read_call(call);
+    return expect_end(word.form) ? std::optional{call.usual_law()} : std::nullopt;
 }
 
 std::optional<VelocityLaw> LawReader::read_call(const CallForm& call)
@@ -121,9 +100,33 @@ std::optional<VelocityLaw> LawReader::read_call(const CallForm& call)
             return std::nullopt;
         numbers.push_back(*number);
     }
-    if (!expect(')', call) || !expect_end(call.word.form))
+    if (call.keyword == "steps" && next() == ',' && !read_jump())
         return std::nullopt;
+    if (!expect(')', call) || !expect_end(word_called(call.keyword).form))
+        return std::nullopt;
+    if (const auto objection = call.objection != nullptr ? call.objection(numbers) : std::nullopt) {
+        fail(0, objection->message, objection->hint);
+        return std::nullopt;
+    }
     return call.make(numbers);
+}
+
+/// Where the steps of CSS jump: only one of the ways is there.
+bool LawReader::read_jump()
+{
+    scanner_.take();
+    scanner_.skip_space();
+    const std::size_t begin = scanner_.offset();
+    const std::size_t end = std::min(text_.find_first_of(",) \t\r\n\f", begin), text_.size());
+    while (scanner_.offset() < end)
+        scanner_.take();
+    const std::string_view jump = text_.substr(begin, end - begin);
+    if (jump == "end" || jump == "jump-end")
+        return true;
+    if (jump == "start" || jump == "jump-start")
+        return fail(begin, "each step jumps at its end",
+                    "write \"steps(n)\", and put this key and the next one step earlier");
+    return fail(begin, "each step jumps at its end", hint_for("steps(n)"));
 }
 
 std::optional<double> LawReader::read_number(const CallForm& call, const Parameter& parameter)
@@ -134,9 +137,9 @@ std::optional<double> LawReader::read_number(const CallForm& call, const Paramet
     const auto number = scanner_.number();
     const std::string name{parameter.name};
     if (is_missing)
-        fail(begin, count_of_numbers(call), hint_for(call.word.form));
+        fail(begin, count_of_numbers(call), hint_for(word_called(call.keyword).form));
     else if (!is_number)
-        fail(begin, "a number is expected here", hint_for(call.word.form));
+        fail(begin, "a number is expected here", hint_for(word_called(call.keyword).form));
     else if (!number || *number < parameter.range.low || *number > parameter.range.high)
         fail(begin, name + " is out of range", allowed(parameter.range));
     else if (call.whole_numbers && std::trunc(*number) != *number)
@@ -155,8 +158,10 @@ bool LawReader::expect(char mark, const CallForm& call)
         return true;
     }
     if (mark == '(' || found == ')' || found == ',')
-        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call), hint_for(call.word.form));
-    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here", hint_for(call.word.form));
+        return fail(mark == '(' ? 0 : scanner_.offset(), count_of_numbers(call),
+                    hint_for(word_called(call.keyword).form));
+    return fail(scanner_.offset(), in_quotes({&mark, 1}) + " is expected here",
+                hint_for(word_called(call.keyword).form));
 }
 
 bool LawReader::expect_end(std::string_view form)
@@ -203,7 +208,11 @@ std::optional<VelocityLaw> read_law(const kdl::Value& value, Report& report)
 std::vector<std::string_view> law_forms()
 {
     std::vector<std::string_view> forms;
-    std::ranges::transform(law_words, std::back_inserter(forms), &LawWord::form);
+    for (const LawWord& word : law_words) {
+        if (word.has_numbers() && call_of(word.keyword).has_usual_numbers())
+            forms.push_back(word.keyword);
+        forms.push_back(word.form);
+    }
     return forms;
 }
 

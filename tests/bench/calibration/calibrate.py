@@ -25,7 +25,7 @@ from random_scenes import scene_texts  # noqa: E402
 
 FIRST_DRAWN = "step"  # kinds of work before it are part of the update (core/bytes/op_counter.hpp)
 # As core/features.hpp has them, after an image without any.
-FEATURES = ("none", "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings")
+FEATURES = ("none", "strokes", "tweens", "bones", "backbones", "depth", "wires", "paths", "smooth", "texts", "drawings", "trims", "springs")
 PROFILED = ("golden-split_and_merge", "golden-bones_and_skins", "random-3", "random-8")
 
 

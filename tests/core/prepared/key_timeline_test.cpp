@@ -57,7 +57,8 @@ bool is_as_searched(const KeyTimeline& timeline, const KeyedTriangle& triangle, 
     const auto [from, to] = interval_at(triangle.keys.key_times(), time);
     return timeline.from() == from.index && timeline.to() == to.index && timeline.now() == time &&
            timeline.is_between() == (from.index != to.index) &&
-           timeline.progress() == progress_between(from.time, to.time, time, triangle.scene.laws(from.laws));
+           timeline.progress() ==
+               progress_between(from.time, to.time, time, triangle.scene.laws(from.laws), nullptr);
 }
 
 }

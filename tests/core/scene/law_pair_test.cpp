@@ -1,5 +1,6 @@
 #include "core/scene/track_view.hpp"
 
+#include "core/time/spring_law.hpp"
 #include "tests/bytes.hpp"
 
 #include <doctest/doctest.h>
@@ -38,12 +39,21 @@ TEST_CASE("the law for y may be that for x")
 
 TEST_CASE("an unknown law has no parameters and is not valid")
 {
-    const auto pair = bytes({0x07, 1});
+    const auto pair = bytes({0x09, 1});
     ByteReader reader{pair};
     const LawPair laws = read_law_pair(reader);
     CHECK_FALSE(is_valid(laws.x));
     CHECK(is_valid(laws.y));
     CHECK(reader.left() == 1);
+}
+
+TEST_CASE("bounces have one parameter, springs have five")
+{
+    const auto pair = bytes({0x87, 3, 1, 0, 2, 1, 0, 2, 0, 3, 0, 4, 0});
+    ByteReader reader{pair};
+    CHECK(read_law_pair(reader) ==
+          LawPair{bounce_law(3, SpringEnd::earlier), spring_law({1, 2, 3, 4}, SpringEnd::both)});
+    CHECK(reader.left() == 0);
 }
 
 TEST_CASE("a pair that breaks off is noticed")

@@ -35,7 +35,7 @@ using Ticks = std::pair<int, int>;
 /// From 0 to `length`, both axes by `law`.
 ProgressXY progress_at(Time time, Time length, const VelocityLaw& law)
 {
-    return progress_between({}, length, time, {law, law});
+    return progress_between({}, length, time, {law, law}, nullptr);
 }
 
 }
@@ -66,7 +66,7 @@ TEST_CASE("x and y go by their own laws")
 {
     const auto at = [](Time time) {
         return progress_between(Time::frame(10), Time::frame(20), time,
-                                {VelocityLaw::decelerate, VelocityLaw::in_steps(5)});
+                                {VelocityLaw::decelerate, VelocityLaw::in_steps(5)}, nullptr);
     };
     CHECK(at(Time::frame(15)).x.raw == 46341);
     CHECK(at(Time::frame(15)).y.raw == 26214);
@@ -77,10 +77,10 @@ TEST_CASE("x and y go by their own laws")
 TEST_CASE("where there is no way, nothing of it has been gone")
 {
     const LawPair even{};
-    CHECK(progress_between({5}, {5}, {5}, even).x == Progress{});
-    CHECK(progress_between({5}, {5}, {7}, even).x == Progress{});
-    CHECK(progress_between({5}, {5}, {3}, even).y == Progress{});
-    CHECK(progress_between({0}, {2}, {1}, even).y == Progress{Progress::one / 2});
+    CHECK(progress_between({5}, {5}, {5}, even, nullptr).x == Progress{});
+    CHECK(progress_between({5}, {5}, {7}, even, nullptr).x == Progress{});
+    CHECK(progress_between({5}, {5}, {3}, even, nullptr).y == Progress{});
+    CHECK(progress_between({0}, {2}, {1}, even, nullptr).y == Progress{Progress::one / 2});
 }
 
 TEST_CASE("steps come at their frames, though the share of the time is rounded")

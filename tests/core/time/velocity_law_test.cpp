@@ -236,7 +236,7 @@ TEST_CASE("a law is valid when its parameters are in their ranges")
     CHECK(is_valid(VelocityLaw::in_steps(1)));
     CHECK(is_valid(VelocityLaw::in_steps(65535)));
     CHECK_FALSE(is_valid(VelocityLaw::in_steps(0)));
-    CHECK_FALSE(is_valid({.kind = static_cast<Kind>(7)}));
+    CHECK_FALSE(is_valid({.kind = static_cast<Kind>(9)}));
     CHECK_FALSE(is_valid({.kind = static_cast<Kind>(255)}));
     CHECK(is_valid(VelocityLaw::bezier(0, -16384, 8192, 24576)));
     CHECK(is_valid(VelocityLaw::bezier(8192, 24576, 0, -16384)));

@@ -45,7 +45,7 @@ class ExportTest(CommandTest):
         (self.folder / "strokes.kfast").write_text("kfast 1\ncanvas 9 9\nobject a stroke=red { line 1 1 5 5; "
                                                    "key 0 rotate-y=0; key 1 rotate-y=9 }\n")
         self.run_kfast("export", "--header", "strokes.kfast")
-        self.assertIn("#define STROKES_FEATURES {&kfast_strokes, 0, 0, 0, &kfast_depth, 0, 0, 0, 0, 0}\n",
+        self.assertIn("#define STROKES_FEATURES {&kfast_strokes, 0, 0, 0, &kfast_depth, 0, 0, 0, 0, 0, 0, 0}\n",
                       (self.folder / "strokes.h").read_text())
         self.assertEqual(json.loads(self.run_kfast("info", "strokes.kfast", "--json").stdout)["features"], ["strokes", "depth"])
         self.assertIn("  features    strokes, depth\n", self.run_kfast("info", "strokes.kfast").stdout)

@@ -33,6 +33,12 @@ class UsageTest(CommandTest):
         self.refuse("help", "rendr", status=2, says='there is no command \'rendr\': did you mean "render"?')
         self.refuse("help", "uf2", "pck", status=2, says='did you mean "pack"?')
 
+    def test_velocity_laws_have_a_help_of_their_own(self):
+        page = self.run_kfast("help", "laws").stdout
+        self.assertIn("bounce-in-out(n)", page)
+        self.assertNotIn("\x1b", page)
+        self.assertLessEqual(max(map(len, page.splitlines())), 80)
+
     def test_boards_and_panels_are_listed(self):
         boards = {row["name"]: row for row in json.loads(self.run_kfast("boards", "--json").stdout)}
         self.assertEqual(boards["pico"]["panel"], {"name": "st7789", "width": 240, "height": 240, "format": "rgb565"})

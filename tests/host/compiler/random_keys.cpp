@@ -1,5 +1,7 @@
 #include "tests/host/compiler/random_keys.hpp"
 
+#include "core/time/spring_law.hpp"
+
 #include <cstdint>
 
 namespace kfast::test {
@@ -12,7 +14,9 @@ VelocityLaw random_law(Dice& dice)
     };
     const auto x = [&] { return control(0, VelocityLaw::control_one); };
     const auto y = [&] { return control(VelocityLaw::lowest_y, VelocityLaw::highest_y); };
-    switch (dice.within(0, 6)) {
+    const auto any = [&dice] { return static_cast<std::uint16_t>(dice.within(0, 65535)); };
+    const auto end = [&dice] { return static_cast<SpringEnd>(dice.within(0, 2)); };
+    switch (dice.within(0, 8)) {
     case 5:
         return VelocityLaw::in_steps(static_cast<std::uint16_t>(dice.within(1, 65535)));
     case 6: {
@@ -20,6 +24,16 @@ VelocityLaw random_law(Dice& dice)
         const std::int16_t y1 = y();
         const std::int16_t x2 = x();
         return VelocityLaw::bezier(x1, y1, x2, y());
+    }
+    case 7: {
+        const auto bounces = static_cast<std::uint32_t>(dice.within(1, spring_count::max_bounces));
+        return bounce_law(bounces, end());
+    }
+    case 8: {
+        Oscillation numbers{.decay = any(), .turns = any()};
+        numbers.lean = static_cast<std::int16_t>(any());
+        numbers.size = static_cast<std::int16_t>(any());
+        return spring_law(numbers, end());
     }
     default:
         return {.kind = static_cast<VelocityLaw::Kind>(dice.within(0, 4))};

@@ -1,3 +1,4 @@
+#include "core/features.hpp"
 #include "core/pose/posed_bones.hpp"
 #include "core/time/track.hpp"
 #include "host/scene/skeleton/bone_frames.hpp"
@@ -34,7 +35,7 @@ public:
     {
         bones_ = moved_.bones_at(time);
         const auto [from, to] = interval_at(object_.keys(), time);
-        return {from, to, progress_between(from.time, to.time, time, scene_.laws(from.laws))};
+        return {from, to, progress_between(from.time, to.time, time, scene_.laws(from.laws), &kfast_springs)};
     }
 
     DeformedDrawing drawing(const Key& key) const

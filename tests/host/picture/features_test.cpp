@@ -55,6 +55,8 @@ key 4 { skeleton { backbone 8 20 14 14 22 8 30 14 36 20 } } })"},
         R"(object o fill=red { rect 0 0 6 6; track along "M 5 5 L 30 5 L 30 30" law=constant { at 0 0; at 4 1 } })"},
     Case{{Feature::smooth}, R"(object o fill=red { rect 0 0 6 6
 track x { at 0 0; at 2 20; at 4 9 } })"},
+    Case{{Feature::springs}, R"(object o fill=red { rect 0 0 6 6; key 0 x=0 law-x=spring; key 4 x=20 })"},
+    Case{{Feature::springs}, R"(object o fill=red { rect 0 0 6 6; key 0 y=0 law-y=bounce-in; key 4 y=20 })"},
     Case{{Feature::texts, Feature::strokes}, R"(input word kind=text glyphs="A-Z" max=3 default="AB"
 object o stroke=red width=1 { text input=word at="2,20" size=12 })"},
     Case{{Feature::drawings}, R"(input area kind=drawing points=9 { line 5 5 30 9 12 30 }
@@ -130,6 +132,8 @@ TEST_CASE("what a program lacks has a name")
           "needs_drawings: the program was built without drawings as inputs");
     CHECK(error_text(Error::needs_trims) ==
           "needs_trims: the program was built without strokes that are drawn in part");
+    CHECK(error_text(Error::needs_springs) ==
+          "needs_springs: the program was built without springs and bounces");
 }
 
 }

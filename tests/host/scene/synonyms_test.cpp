@@ -44,9 +44,7 @@ TEST_CASE("words of CSS and SVG are translated")
     CHECK(calls(in_object("", "circle 9 9 r=1 radius=2"), "r"));
     CHECK(calls(in_object("", "triangle 1 1 9 9 9 1"), "polygon"));
     CHECK(calls(in_object("", "key 0 ease=hold { circle 9 9 r=1 }; key 9 x=1"), "law"));
-    CHECK(calls(in_object("", "key 0 law=easeInOut { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
-                "ease-in-out"));
-    CHECK(calls(in_object("", "key 0 law=linear { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "constant"));
+    CHECK(calls(in_object("", "key 0 law=step { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "hold"));
     CHECK(calls(in_object("strokeWidth=2"), "width"));
     CHECK(calls(in_object("Stroke-Width=2"), "width"));
     CHECK(calls(in_object("scale_x=2"), "scale-x"));
@@ -69,10 +67,8 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(refers_to_absent(in_object("gradient=red"), "gradients"));
     CHECK(refers_to_absent(in_object("stroke-dasharray=\"4 2\""), "dashes"));
     CHECK(refers_to_absent(in_object("mask=m"), "masks"));
-    CHECK(refers_to_absent(in_object("", "key 0 law=spring { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
-                           "springs"));
-    CHECK(refers_to_absent(
-        in_object("", "key 0 law=\"bounce(2)\" { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "springs"));
+    CHECK(refers_to_absent(in_object("", "key 0 law=step-start { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
+                           "jumps at the beginning"));
     CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
     CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));

@@ -103,6 +103,18 @@ TEST_CASE("backbones and wire frames are features, and what backbones carry chan
     CHECK(needs(scene, Feature::wires));
 }
 
+TEST_CASE("laws that spring or bounce are a feature, for either axis, and used or not")
+{
+    RawScene scene;
+    scene.law_count = 1;
+    for (const int kinds : {0x07, 0x70, 0xF7}) {
+        scene.laws = bytes({kinds, 3, 0});
+        CHECK(needs(scene, Feature::springs));
+    }
+    scene.laws = bytes({0x08, 0, 2, 0, 7, 0, 8, 0, 0, 0, 0x40});
+    CHECK(needs(scene, Feature::springs));
+}
+
 TEST_CASE("inputs that are texts or drawings are features, shown or not")
 {
     RawScene scene;
