@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace kfast {
 namespace {
@@ -19,6 +18,7 @@ std::uint32_t distance(Point from, Point to)
     const Point step = to - from;
     if (step == Point{})
         return 0;
+    count_op(Op::pen_piece);
     const Direction along = to_polar(step).direction;
     const std::int32_t projected =
         multiply_q16(step.x.raw(), 2 * along.x) + multiply_q16(step.y.raw(), 2 * along.y);
@@ -39,9 +39,10 @@ std::uint64_t share_of(std::uint32_t length, std::uint64_t share)
 Trim Trim::between(std::int32_t from, std::int32_t to, std::int32_t offset, TrimMode mode)
 {
     const auto clamped = [](std::int32_t share) {
-        return static_cast<std::uint32_t>(std::clamp(share, 0, static_cast<std::int32_t>(whole)));
+        return static_cast<std::uint32_t>(std::clamp<std::int32_t>(share, 0, whole));
     };
-    const auto [begin, end] = std::minmax({clamped(from), clamped(to)});
+    const std::uint32_t begin = std::min(clamped(from), clamped(to));
+    const std::uint32_t end = std::max(clamped(from), clamped(to));
     return {
         .begin = (begin + static_cast<std::uint32_t>(offset)) % whole, .share = end - begin, .mode = mode};
 }
@@ -57,17 +58,17 @@ StrokeTrimmer::StrokeTrimmer(const Trim& trim, const Affine& placement, PieceSin
 
 void StrokeTrimmer::run(FunctionRef<void(StrokeTrimmer&)> trace)
 {
-    const auto pass = [&](Pass pass) {
+    const auto trace_for = [&](Pass pass) {
         pass_ = pass;
         stroke_ = 0;
         trace(*this);
     };
     if (trim_.mode == TrimMode::together)
-        pass(Pass::measure_all);
+        trace_for(Pass::measure_all);
     do {
         measured_ = {};
-        pass(Pass::measure);
-        pass(Pass::cut);
+        trace_for(Pass::measure);
+        trace_for(Pass::cut);
         first_ += batch;
     } while (first_ < stroke_);
 }

@@ -122,6 +122,26 @@ TEST_CASE("the corners of a line are among its points, with y upwards")
     CHECK(points.size() == fixture.player.report().points);
 }
 
+TEST_CASE("a beam draws what a trim leaves of a line, and goes on across the seam of a closed one")
+{
+    const auto lit = [](const std::string& object) {
+        BeamPlayerFixture fixture{"kfast 1\ncanvas 256 256\nobject o " + object};
+        std::vector<FieldPoint> places;
+        for (const BeamPoint& point : fixture.points({}))
+            if (point.is_lit())
+                places.push_back(point.at);
+        return places;
+    };
+    const auto is_left = [](FieldPoint at) { return at.x <= 1; };
+    const auto half = lit("stroke=red trim-to=0.5 { line 0 128 256 128 }");
+    CHECK_FALSE(half.empty());
+    CHECK(std::ranges::all_of(half, is_left));
+    const auto corner = lit("stroke=red trim-to=0.25 trim-offset=0.875 { rect 64 64 128 128 }");
+    CHECK(std::ranges::find(corner, FieldPoint{-16384, 16384}) != corner.end());
+    CHECK(std::ranges::none_of(corner, [](FieldPoint at) { return at.x > 1 || at.y < -1; }));
+    CHECK(lit("stroke=red trim-to=0 { line 0 128 256 128 }").empty());
+}
+
 TEST_CASE("scenes keep to budget and block at any time")
 {
     std::mt19937 random{11};
