@@ -33,7 +33,8 @@ std::string restart_text(const link::Restarts& restarts)
 
 std::string safe_mode_text(const link::Restarts& restarts)
 {
-    const std::string_view plays = restarts.allows_built_in() ? "its built-in scene, if any" : "nothing by itself";
+    const std::string_view plays =
+        restarts.allows_built_in() ? "its built-in scene, if any" : "nothing by itself";
     const bool is_slot = restarts.home == link::Home::slot;
     return "plays " + std::string{plays} + "; 'kfast choose' what plays at its start" +
            (is_slot ? ", or 'kfast erase " + std::to_string(restarts.slot) + "'" : "");

@@ -75,7 +75,6 @@ TEST_CASE("what there is not is said with the page that has another way")
         in_object("", "key 0 law=\"bounce(2)\" { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"), "springs"));
     CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
-    CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
     CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
     CHECK(hint_of_absent("circle") == "");
 }
