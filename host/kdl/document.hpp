@@ -37,6 +37,7 @@ struct Property {
     std::string name;
     SourceSpan name_span;
     Value value;
+    std::optional<SourceSpan> replaces = {}; ///< the first of that name in its node, if it stood there before
 };
 
 struct Node {

@@ -5,8 +5,8 @@
 #include "host/text/characters.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -20,11 +20,15 @@ void drop_replaced(std::vector<Property>& properties)
 {
     if (properties.size() < 2)
         return;
-    std::set<std::string> seen;
+    std::map<std::string, std::size_t> seen;
     std::vector<Property> kept;
-    for (auto property = properties.rbegin(); property != properties.rend(); ++property)
-        if (seen.insert(property->name).second)
+    for (auto property = properties.rbegin(); property != properties.rend(); ++property) {
+        const auto [later, fresh] = seen.try_emplace(property->name, kept.size());
+        if (fresh)
             kept.push_back(std::move(*property));
+        else
+            kept[later->second].replaces = property->name_span;
+    }
     std::ranges::reverse(kept);
     properties = std::move(kept);
 }

@@ -22,6 +22,7 @@
 #include "host/scene/values/canvas_reader.hpp"
 #include "host/scene/values/clips_and_events.hpp"
 #include "host/scene/values/law_reader.hpp"
+#include "host/scene/values/let_reader.hpp"
 #include "host/scene/values/timed_quantity.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::vector<NodeSchema> all_nodes()
     const auto add = [&nodes](std::vector<NodeSchema> words) {
         std::ranges::move(words, std::back_inserter(nodes));
     };
-    add({version_schema(), canvas_schema()});
+    add({version_schema(), let_schema(), canvas_schema()});
     add(palette_schema());
     add(input_schema());
     add({object_schema(), group_schema()});

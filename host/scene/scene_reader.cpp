@@ -13,6 +13,7 @@
 #include "host/scene/skeleton/bones_reader.hpp"
 #include "host/scene/values/canvas_reader.hpp"
 #include "host/scene/values/clips_and_events.hpp"
+#include "host/scene/values/let_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
@@ -40,6 +41,7 @@ struct Parts {
     const kdl::Node* version = nullptr;
     const kdl::Node* canvas = nullptr;
     const kdl::Node* palette = nullptr;
+    std::vector<const kdl::Node*> variables;
     std::vector<const kdl::Node*> inputs;
     std::vector<const kdl::Node*> skeletons;
     std::vector<const kdl::Node*> symbols;
@@ -75,7 +77,7 @@ constexpr std::array part_rules{
     PartRule{object_name, take_each<&Parts::items>},   PartRule{group_name, take_each<&Parts::items>},
     PartRule{use_name, take_each<&Parts::items>},      PartRule{bones_name, take_each<&Parts::skeletons>},
     PartRule{"clip", take_each<&Parts::clips>},        PartRule{"event", take_each<&Parts::events>},
-    PartRule{input_name, take_each<&Parts::inputs>},
+    PartRule{input_name, take_each<&Parts::inputs>},   PartRule{let_name, take_each<&Parts::variables>},
 };
 
 void take_part(Parts& parts, const kdl::Node& node, SceneContext& context)
@@ -214,6 +216,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     const Parts parts = sort_out(document, context);
     if (parts.palette != nullptr)
         read_palette(*parts.palette, context);
+    read_variables(parts.variables, context);
     Scene scene;
     read_canvas(document, parts, scene, context);
     read_inputs(parts, context);
@@ -226,8 +229,10 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     check_unused_symbols(context);
     take_inputs(scene, context);
     take_skeletons(scene, context);
-    if (!diagnostics.has_errors())
+    if (!diagnostics.has_errors()) { // else what uses them may not have been read
+        warn_of_unused_variables(context);
         move_symbols(scene, context);
+    }
     if (diagnostics.has_errors())
         return std::nullopt;
     return scene;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -93,6 +94,8 @@ struct NodeSchema {
     std::vector<PropertySchema> properties = {};
     std::vector<std::string_view> inside = {}; ///< ids of the nodes that it may hold
     bool takes_any_name = false;               ///< the name of a colour or a bone of the scene
+    /// Of properties whose names are the scene's own, if it takes such.
+    std::optional<ValueKind> any_property = {};
 };
 
 template <class Target, class Context, std::size_t count>

@@ -13,6 +13,8 @@
 
 namespace kfast::schema {
 
+class Variables;
+
 /// Names of one kind, each of which may be given once.
 class NameTable {
 public:
@@ -33,6 +35,8 @@ using PropertyHint = std::string (*)(const kdl::Node& node, const kdl::Property&
                                      std::span<const std::string_view> known);
 
 /// Passes on what is wrong with a text, up to a limit beyond which more is no help.
+///
+/// It is what every reader has, and so it has the variables of the text as well.
 class Report {
 public:
     /// `hint` is asked first for a hint about an unknown property; it may return an empty text.
@@ -40,6 +44,11 @@ public:
         : source_{source}, diagnostics_{diagnostics}, property_hint_{hint}
     {
     }
+
+    /// From here on, numbers of the text may be expressions with these, which must outlive it.
+    void allow_expressions(Variables& variables) { variables_ = &variables; }
+    /// Null where numbers are written as such.
+    Variables* variables() const { return variables_; }
 
     /// Always false, so that a reader can return it.
     bool error(SourceSpan place, std::string message, std::string hint = {});
@@ -62,6 +71,7 @@ private:
     const SourceText& source_;
     Diagnostics& diagnostics_;
     PropertyHint property_hint_;
+    Variables* variables_ = nullptr;
     std::size_t errors_ = 0;
     std::size_t warnings_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "host/kdl/number.hpp"
 #include "host/kdl/scalar.hpp"
+#include "host/schema/variable_names.hpp"
 #include "host/text/characters.hpp"
 #include "host/words/synonyms.hpp"
 
@@ -52,24 +53,66 @@ std::string text_of(double number)
 
 std::string allowed(Range range) { return "allowed: " + text_of(range.low) + " to " + text_of(range.high); }
 
-const kdl::Number* number_of(const kdl::Value& value, Report& report)
+bool is_expression(const kdl::Value& value, const Report& report)
 {
-    const kdl::Number* const number = value.number();
     const std::string* const text = value.string();
-    if (number == nullptr)
-        report.error(value.place, "a number is expected here",
-                     text == nullptr ? std::string{} : hint_of_text(*text));
-    return number;
+    if (text == nullptr || report.variables() == nullptr || text->find_first_not_of(' ') == text->npos)
+        return false;
+    const bool is_slip = report.variables()->empty() && is_variable_name(*text);
+    return !is_slip && hint_of_text(*text).empty();
+}
+
+namespace {
+
+bool is_without_quotes(const kdl::Value& value)
+{
+    return value.text_offset &&
+           *value.text_offset + value.string()->size() == value.place.offset + value.place.length;
+}
+
+}
+
+std::optional<double> result_of(const Evaluation& found, const kdl::Value& value, Report& report)
+{
+    if (!found.finding)
+        return found.value;
+    Diagnostic finding = *found.finding;
+    if (finding.place.offset == value.string()->size() && is_without_quotes(value))
+        finding.hint += "; what has blanks in it stands in quotes";
+    pass_on(finding, value, "expression", report);
+    return std::nullopt;
+}
+
+std::optional<double> number_of(const kdl::Value& value, Report& report)
+{
+    if (const kdl::Number* const number = value.number())
+        return number->value;
+    const std::string* const text = value.string();
+    if (is_expression(value, report))
+        return result_of(evaluate(*text, *report.variables()), value, report);
+    report.error(value.place, "a number is expected here",
+                 text == nullptr ? std::string{} : hint_of_text(*text));
+    return std::nullopt;
+}
+
+namespace {
+
+/// Of an expression, what it comes to.
+std::string comes_to(const kdl::Value& value, double number)
+{
+    return value.string() == nullptr ? std::string{} : ": it comes to " + text_of(number);
+}
+
 }
 
 std::optional<double> read_number(const kdl::Value& value, Range range, Report& report)
 {
-    const kdl::Number* const number = number_of(value, report);
-    if (number == nullptr || !without_type(value, report))
+    const auto number = number_of(value, report);
+    if (!number || !without_type(value, report))
         return std::nullopt;
-    if (number->value >= range.low && number->value <= range.high)
-        return number->value;
-    report_out_of_range(value, range, report);
+    if (*number >= range.low && *number <= range.high)
+        return number;
+    report.error(value.place, "this number is out of range" + comes_to(value, *number), allowed(range));
     return std::nullopt;
 }
 
@@ -99,7 +142,8 @@ std::optional<int> read_whole_number(const kdl::Value& value, Range range, Repor
         return std::nullopt;
     if (std::trunc(*number) == *number)
         return static_cast<int>(*number);
-    report.error(value.place, "a whole number is expected here");
+    report.error(value.place, "a whole number is expected here" + comes_to(value, *number),
+                 value.string() == nullptr ? std::string{} : "write \"round(…)\"");
     return std::nullopt;
 }
 

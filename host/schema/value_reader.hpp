@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/kdl/document.hpp"
+#include "host/schema/expression.hpp"
 #include "host/schema/report.hpp"
 #include "host/schema/value_kind.hpp"
 #include "host/text/suggestion.hpp"
@@ -36,8 +37,14 @@ std::string shortest_text(double number, IsSame is_same)
 /// The hint for a number that is not inside: "allowed: 0 to 1".
 std::string allowed(Range range);
 
-/// A number with a unit or without one; reports if it is none, and then returns null.
-const kdl::Number* number_of(const kdl::Value& value, Report& report);
+/// Whether the number may be an expression here, and the value is one. A mere word is none in a text without
+/// variables, which does not need to be told of them.
+bool is_expression(const kdl::Value& value, const Report& report);
+/// What `found` in the text of `value`; reports what is wrong.
+std::optional<double> result_of(const Evaluation& found, const kdl::Value& value, Report& report);
+/// A number or what an expression comes to, with a unit or without one; reports if it is none. All numbers of
+/// a text are read by it.
+std::optional<double> number_of(const kdl::Value& value, Report& report);
 std::optional<double> read_number(const kdl::Value& value, Range range, Report& report);
 void report_out_of_range(const kdl::Value& value, Range range, Report& report);
 /// The last of `ranges`, of which there is at least one, applies to all that follow.

@@ -15,7 +15,7 @@ import unittest
 from page import ROOT, blocks, pages, shown_status
 
 KFAST = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else None
-OUTERMOST = {"kfast", "canvas", "palette", "object", "group", "use", "symbol", "clip", "event", "input", "bones"}
+OUTERMOST = {"kfast", "canvas", "palette", "object", "group", "use", "symbol", "clip", "event", "input", "bones", "let"}
 SETTINGS = {"board", "panel", "bus", "pins", "knob", "button", "beam", "core", "memory", "bands", "reserved"}
 LANGUAGES = {"", "indented", "kdl", "sh", "text", "json", "c", "cpp", "cmake"}
 PALETTE = 'palette { ink "#f2f2f2"; glow "#4cc9f0"; arm "#c98a5e"; hand "#e0ac7d" }\n'

@@ -195,9 +195,11 @@ std::string text_of(const schema::NodeSchema& node, const scene::LanguageSchema&
         text += ' ' + std::string{id.empty() ? "the outermost level" : id} + ',';
     text.back() = '.';
     text = plain(text) + '\n';
-    if (node.properties.empty())
+    if (node.properties.empty() && !node.any_property)
         return text;
     text += ".RS\n";
+    if (node.any_property)
+        text += ".PP\nAny name: " + plain(range_text(*node.any_property)) + '\n';
     for (const schema::PropertySchema& property : node.properties)
         text += ".PP\n" + bold(property.name) + ": " + plain(range_text(property.kind)) +
                 (property.required ? " (needed)" : "") + '\n';

@@ -202,6 +202,8 @@ void add_node(const NodeSchema& node, Lines& lines)
                " description=" + kdl::string_form(node.form.usage));
     for (const PropertySchema& property : node.properties)
         add_property(property, lines);
+    if (node.any_property)
+        lines.add("other-props-allowed #true");
     add_values(node, lines);
     if (!node.inside.empty()) {
         lines.open("children");
@@ -216,7 +218,7 @@ void add_node(const NodeSchema& node, Lines& lines)
 std::string schema_kdl(const scene::LanguageSchema& words)
 {
     Lines lines;
-    lines.add("// Made by \"kfast schema\".");
+    lines.add("// Made by \"kfast schema\". A text with an expression may stand in the place of a number.");
     lines.open("document");
     lines.open("info");
     lines.add("title \"Scenes of kfast\" lang=\"en\"");

@@ -83,6 +83,8 @@ Json json_of(const NodeSchema& node, const scene::LanguageSchema& words)
     json["inside_of"] = holders(words, node.id);
     json["values"] = values_of(node);
     json["properties"] = json_of(node.properties);
+    if (node.any_property)
+        add_kind(json["any_property"], *node.any_property);
     json["nodes"] = node.inside;
     return json;
 }
@@ -184,6 +186,8 @@ std::string row(const NodeSchema& node, const scene::LanguageSchema& words)
     std::string properties;
     for (const PropertySchema& property : node.properties)
         append(properties, code(property.name) + (property.required ? "\\*" : ""));
+    if (node.any_property)
+        append(properties, "any name: " + kind_text(*node.any_property));
     return "| " + code(node.id) + " | " + code(node.form.usage) + " | " + inside_of + " | " + properties +
            " |\n";
 }

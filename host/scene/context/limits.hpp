@@ -28,7 +28,9 @@ inline constexpr std::size_t max_bones_together = kfb::max_bones_together; ///< 
 inline constexpr std::size_t max_posed_bones = std::size_t{1} << 19;
 inline constexpr std::size_t max_bones_at_point = kfb::max_bones_at_point;
 inline constexpr int deepest_item = kfb::max_depth; ///< groups and uses around it
-inline constexpr std::size_t max_colours = 255;     ///< in use, and names in the palette
+inline constexpr std::size_t max_variables = 1000;
+inline constexpr std::size_t max_variable_name = 40; ///< letters
+inline constexpr std::size_t max_colours = 255;      ///< in use, and names in the palette
 inline constexpr int max_frames = kfb::max_time / Time::ticks_per_frame;
 
 inline constexpr int widest_canvas = kfb::max_canvas;      ///< pixels, in each direction

@@ -8,6 +8,7 @@
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
 #include "host/schema/report.hpp"
+#include "host/schema/variables.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +77,7 @@ struct SceneContext {
     SkeletonTable skeletons = {};
     SymbolTable symbols = {};
     NameTable object_names = {};
+    schema::Variables variables = {};
     PointBudget points = {};
     std::size_t posed_bones = 0;                  ///< that the poses so far set
     std::optional<LineLetters> line_letters = {}; ///< the first in the drawings of the object or symbol

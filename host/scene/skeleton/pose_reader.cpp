@@ -54,6 +54,14 @@ std::vector<PosedBone> all_as_set_up(std::size_t count, SourceSpan place)
 constexpr auto pose_rules =
     joined(law_rules<Pose>, std::array{PropertyRule<Pose>{"input", read_own_driver<Pose>, any_name}});
 
+/// A text may be a time as well, if it is an expression: then it has a name behind it, a unit or a =.
+bool begins_with_name(const kdl::Node& pose)
+{
+    const kdl::Value& first = pose.arguments.front();
+    const bool has_name_behind = pose.arguments.size() > 1 && pose.arguments.back().string() != nullptr;
+    return first.string() != nullptr && !has_name_behind && !first.type && !first.string()->starts_with('=');
+}
+
 bool shares_a_bone(const Pose& pose, const std::vector<bool>& bones)
 {
     return std::ranges::any_of(pose.bones, [&](const PosedBone& posed) { return bones[posed.bone]; });
@@ -65,7 +73,7 @@ void PoseReader::read(const kdl::Node& node)
 {
     if (!fits(node, timed_form, context_.report))
         return;
-    if (node.arguments.front().string() != nullptr)
+    if (begins_with_name(node))
         read_definition(node);
     else
         read_timed(node);

@@ -5,8 +5,10 @@
 #include "host/geometry/svg_path.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/values/value_reader.hpp"
+#include "host/schema/expression.hpp"
 #include "host/schema/property_rule.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -29,6 +31,25 @@ std::optional<Vec2> spot_in(std::string_view text)
     if (!x || !y || !scanner.at_end())
         return std::nullopt;
     return Vec2{*x, *y};
+}
+
+/// Two expressions with a comma between them. Of other texts it says that they are none.
+std::optional<Vec2> computed_spot(const kdl::Value& value, std::string_view text, SceneContext& context)
+{
+    const auto x = schema::evaluate_front(text, 0, context.variables);
+    const std::size_t comma = std::min(text.find_first_not_of(' ', x.end), text.size());
+    const bool has_comma = text.substr(comma).starts_with(',');
+    const auto y =
+        has_comma ? schema::evaluate_front(text, comma + 1, context.variables) : schema::Evaluation{};
+    const bool is_whole = has_comma && text.find_first_not_of(' ', y.end) == text.npos;
+    const auto& wrong = x.finding ? x : y;
+    if (wrong.finding && text.find(',') != text.npos && !context.variables.empty())
+        result_of(wrong, value, context.report);
+    else if (!wrong.finding && is_whole)
+        return x.value && y.value ? std::optional{Vec2{*x.value, *y.value}} : std::nullopt;
+    else
+        context.report.error(value.place, "a place \"X,Y\" is expected here", "write \"20,200\"");
+    return std::nullopt;
 }
 
 }
@@ -59,10 +80,10 @@ std::optional<Vec2> read_spot(const kdl::Value& value, SceneContext& context)
     const auto text = read_text(value, context.report);
     if (!text)
         return std::nullopt;
-    const auto spot = spot_in(*text);
+    auto spot = spot_in(*text);
     if (!spot)
-        context.report.error(value.place, "a place \"X,Y\" is expected here", "write \"20,200\"");
-    else if (!in_range(*spot))
+        spot = computed_spot(value, *text, context);
+    if (spot && !in_range(*spot))
         report_out_of_range(value, coordinates, context.report);
     return spot && in_range(*spot) ? spot : std::nullopt;
 }

@@ -3,6 +3,8 @@
 #include "host/geometry/path_scanner.hpp"
 #include "host/scene/values/law_calls.hpp"
 #include "host/scene/values/value_reader.hpp"
+#include "host/schema/expression.hpp"
+#include "host/schema/variable_names.hpp"
 #include "host/text/characters.hpp"
 #include "host/words/easing_names.hpp"
 #include "host/words/law_words.hpp"
@@ -48,6 +50,8 @@ private:
     std::optional<VelocityLaw> read_call(const CallForm& call);
     bool read_jump();
     std::optional<double> read_number(const CallForm& call, const Parameter& parameter);
+    bool at_expression();
+    std::optional<double> read_expression();
     bool expect(char mark, const CallForm& call);
     bool expect_end(std::string_view form);
 
@@ -132,10 +136,13 @@ bool LawReader::read_jump()
 std::optional<double> LawReader::read_number(const CallForm& call, const Parameter& parameter)
 {
     const bool is_missing = next() == ')';
-    const bool is_number = scanner_.at_number();
     const std::size_t begin = scanner_.offset();
-    const auto number = scanner_.number();
+    const bool is_expression = at_expression();
+    const bool is_number = is_expression || scanner_.at_number();
+    const auto number = is_expression ? read_expression() : scanner_.number();
     const std::string name{parameter.name};
+    if (is_expression && !number)
+        return number;
     if (is_missing)
         fail(begin, count_of_numbers(call), hint_for(word_called(call.keyword).form));
     else if (!is_number)
@@ -147,6 +154,33 @@ std::optional<double> LawReader::read_number(const CallForm& call, const Paramet
     else
         return number;
     return std::nullopt;
+}
+
+/// Whether it is more than a number, which may have a + in front.
+bool LawReader::at_expression()
+{
+    if (report_.variables() == nullptr)
+        return false;
+    PathScanner ahead = scanner_;
+    const bool is_number = ahead.number().has_value();
+    ahead.skip_space();
+    const std::string_view rest = text_.substr(ahead.offset());
+    if (is_number)
+        return !rest.empty() && std::string_view{"+-*/"}.find(rest.front()) != std::string_view::npos;
+    const std::string_view word = schema::name_in_front(rest);
+    if (word.empty())
+        return rest.starts_with('(') || rest.starts_with('-');
+    return !report_.variables()->empty() || !schema::is_variable_name(word);
+}
+
+std::optional<double> LawReader::read_expression()
+{
+    const auto found = schema::evaluate_front(text_, scanner_.offset(), *report_.variables());
+    while (scanner_.offset() < found.end)
+        scanner_.take();
+    if (found.finding)
+        pass_on(*found.finding, value_, "law", report_);
+    return found.value;
 }
 
 /// What is in the place of `mark` determines the report.

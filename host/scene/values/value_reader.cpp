@@ -56,11 +56,11 @@ std::int32_t thousandths(double number) { return static_cast<std::int32_t>(std::
 
 std::optional<Time> read_time(const kdl::Value& value, SceneContext& context)
 {
-    const kdl::Number* const number = number_of(value, context.report);
-    const auto scale = number != nullptr ? ticks_per(value, context) : std::nullopt;
+    const auto number = number_of(value, context.report);
+    const auto scale = number ? ticks_per(value, context) : std::nullopt;
     if (!scale)
         return std::nullopt;
-    const double ticks = number->value * *scale;
+    const double ticks = *number * *scale;
     if (ticks >= 0 && ticks <= Time::frame(max_frames).ticks)
         return Time{static_cast<std::int32_t>(std::lround(ticks))};
     if (ticks < 0)

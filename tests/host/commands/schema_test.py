@@ -46,6 +46,11 @@ class SchemaTest(CommandTest):
                 with self.subTest(path=path.name, property=match[1]):
                     self.assertTrue(any(f"no property x{match[1]}" in each for each in self.mistakes(wrong)))
 
+    def test_variables_and_expressions_keep_to_it(self):
+        self.assertEqual(self.mistakes('let a=1 b="a/2"; canvas a*9 9; object o fill=red { circle a "=b" r=a+b }'), [])
+        for wrong in ("let a=#true", "let a=(s)1", "let a=2e9", "let 1"):
+            self.assertNotEqual(self.mistakes(wrong), [], wrong)
+
     def test_scenes_are_refused(self):
         for wrong, mistake in (
                 ("kfast 1; canvas 1 9000", "value"), ("kfast 1; canvas 9 9 fps=0", "fps=0"),

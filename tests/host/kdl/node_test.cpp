@@ -42,6 +42,18 @@ TEST_CASE("a node has a name, arguments in order, properties and children")
     CHECK(lamp.children[1].name == "wire");
 }
 
+TEST_CASE("a property that stands twice knows where its name stood first")
+{
+    const kdl::Node node = parsed("n a=1 b=2 a=3 a=4").nodes[0];
+    REQUIRE(node.properties.size() == 2);
+    CHECK(node.properties[0].name == "b");
+    CHECK(!node.properties[0].replaces);
+    CHECK(node.properties[1].value.number()->value == 4);
+    REQUIRE(node.properties[1].replaces);
+    CHECK(node.properties[1].replaces->offset == 2);
+    CHECK(node.properties[1].replaces->length == 1);
+}
+
 TEST_CASE("new lines, semicolons, line comments, closing braces and the end of the text end a node")
 {
     CHECK(reading("a\nb; c // rest\nd {e}") == "a\nb\nc\nd {\n    e\n}\n");

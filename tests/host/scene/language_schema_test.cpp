@@ -156,7 +156,8 @@ std::set<std::string_view> all_node_names()
 
 bool has(const NodeSchema& node, std::string_view property)
 {
-    return std::ranges::find(node.properties, property, &PropertySchema::name) != node.properties.end();
+    return node.any_property ||
+           std::ranges::find(node.properties, property, &PropertySchema::name) != node.properties.end();
 }
 
 std::string found_with(const NodeSchema& node, std::string_view property, const std::string& value)

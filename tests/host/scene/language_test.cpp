@@ -38,7 +38,7 @@ TEST_CASE("unknown nodes are compared with the known ones")
           "3:1 error: a scene has no node \"objekt\" (did you mean \"object\"?)");
     CHECK(read_on_canvas("hologram").findings == "3:1 error: a scene has no node \"hologram\" (allowed: "
                                                  "kfast, canvas, palette, symbol, object, group, "
-                                                 "use, bones, clip, event, input)");
+                                                 "use, bones, clip, event, input, let)");
 }
 
 TEST_CASE("what may stand once names the line of the first")
@@ -84,7 +84,7 @@ TEST_CASE("places count code points, names are shown safely")
 {
     CHECK(read_on_canvas("/* äöü */ \"é\\u{1b}\"").findings ==
           "3:11 error: a scene has no node \"é<U+001B>\" (allowed: kfast, canvas, palette, "
-          "symbol, object, group, use, bones, clip, event, input)");
+          "symbol, object, group, use, bones, clip, event, input, let)");
 }
 
 }

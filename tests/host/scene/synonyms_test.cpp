@@ -71,7 +71,6 @@ TEST_CASE("what there is not is said with the page that has another way")
                            "jumps at the beginning"));
     CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
     CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
-    CHECK(refers_to_absent(read_on_canvas("let size=10").findings, "variables"));
     CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
     CHECK(hint_of_absent("circle") == "");
 }
