@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace kfast {
 namespace {
@@ -229,7 +230,7 @@ void StrokeTrimmer::cut(const Segment& segment)
                             : left == length ? Fraction{Fraction::one}
                                              : fraction_at(segment, left);
         if (is_drawing_) {
-            go_on(segment, begin, at);
+            go_on(segment, length, begin, at, true);
             end_piece();
         } else {
             begin_piece(point_at(segment, at));
@@ -237,14 +238,14 @@ void StrokeTrimmer::cut(const Segment& segment)
         begin = at;
     }
     if (is_drawing_)
-        go_on(segment, begin, {Fraction::one});
+        go_on(segment, length, begin, {Fraction::one}, false);
     position_ += length;
 }
 
 void StrokeTrimmer::begin_piece(Point at)
 {
     const Point placed = place_(at);
-    is_drawing_ = true;
+    is_drawing_ = is_at_beginning_ = true;
     if (trim_.mode == TrimMode::sector && !crosses_seam_) {
         sink_.begin(last_ = place_(start_));
         piece_start_ = last_;
@@ -256,16 +257,37 @@ void StrokeTrimmer::begin_piece(Point at)
     piece_start_ = last_ = placed;
 }
 
-/// Draws the stretch of a segment between two shares of its parameter.
-void StrokeTrimmer::go_on(const Segment& segment, Fraction begin, Fraction end)
+/// Draws the part of a segment, which is so long, between two shares of its parameter. Where a piece begins
+/// or ends within a curve, a quarter of a pixel is apart, so that caps stand across the curve and not across
+/// a long chord.
+void StrokeTrimmer::go_on(const Segment& segment, std::uint32_t length, Fraction begin, Fraction end,
+                          bool ends)
+{
+    const bool begins = std::exchange(is_at_beginning_, false);
+    constexpr std::uint32_t tip_length = 1024; // in 1/4096 px
+    if (segment.kind == Segment::Kind::cubic && length > tip_length) {
+        const std::uint32_t tip = Fraction::ratio(tip_length, length).raw;
+        if (begins && begin.raw + tip < end.raw) {
+            add(segment, begin, {begin.raw + tip});
+            begin.raw += tip;
+        }
+        if (ends && begin.raw + tip < end.raw) {
+            add(segment, begin, {end.raw - tip});
+            begin.raw = end.raw - tip;
+        }
+    }
+    add(segment, begin, end);
+}
+
+void StrokeTrimmer::add(const Segment& segment, Fraction begin, Fraction end)
 {
     if (begin == end)
         return;
     const bool is_all = begin.raw == 0 && end.raw == Fraction::one;
-    Segment stretch = placed(is_all ? segment : subsegment(segment, begin, end));
-    stretch.from = last_;
-    sink_.add(stretch);
-    last_ = stretch.to;
+    Segment part = placed(is_all ? segment : subsegment(segment, begin, end));
+    part.from = last_;
+    sink_.add(part);
+    last_ = part.to;
 }
 
 void StrokeTrimmer::line_to(Point to)

@@ -92,6 +92,9 @@ private:
 ///     measure        the lengths of the next 16 strokes       \  again and again, until
 ///     cut            the same strokes, in pieces to the sink  /  there is no stroke left
 ///
+/// Its code is cold: a board leaves it in flash. Few scenes trim, and where one does, what it traces again
+/// takes longer.
+///
 /// Lengths are those of the chords of curves, in 1/4096 px; a cut is within 1/16 px of where it would be
 /// along the curve. What is longer than 2^20 px in all counts as if it was as long.
 class StrokeTrimmer {
@@ -102,7 +105,7 @@ public:
     StrokeTrimmer(const Trim& trim, const Affine& placement, PieceSink sink);
 
     /// trace(trimmer) passes the strokes, unplaced, to the trimmer; the same ones each time.
-    void run(FunctionRef<void(StrokeTrimmer&)> trace);
+    [[gnu::cold]] void run(FunctionRef<void(StrokeTrimmer&)> trace);
 
     // As of an outline, called by what traces strokes.
 
@@ -132,25 +135,27 @@ private:
         bool is_closed = false;   ///< in a sector: whether its curves end where they began
     };
 
-    void begin_stroke(Point at);
-    void take(const Segment& segment);
-    void end_stroke(Point hub, bool is_closed);
+    [[gnu::cold]] void begin_stroke(Point at);
+    [[gnu::cold]] void take(const Segment& segment);
+    [[gnu::cold]] void end_stroke(Point hub, bool is_closed);
 
     bool is_in_batch() const { return stroke_ - first_ < batch; }
     Measured& measured() { return measured_[stroke_ - first_]; }
     bool has_no_length(const Segment& segment) const;
-    void set_windows();
-    void add_window(std::uint64_t begin, std::uint64_t end);
-    void each_chord(const Segment& segment, FunctionRef<void(std::uint32_t length)> take) const;
+    [[gnu::cold]] void set_windows();
+    [[gnu::cold]] void add_window(std::uint64_t begin, std::uint64_t end);
+    [[gnu::cold]] void each_chord(const Segment& segment, FunctionRef<void(std::uint32_t length)> take) const;
     std::uint32_t length_of(const Segment& segment) const;
-    Fraction fraction_at(const Segment& segment, std::uint32_t wanted) const;
+    [[gnu::cold]] Fraction fraction_at(const Segment& segment, std::uint32_t wanted) const;
     int pieces_of(const Segment& segment) const;
-    Segment placed(const Segment& segment) const;
-    void cut(const Segment& segment);
-    void begin_piece(Point at);
-    void go_on(const Segment& segment, Fraction begin, Fraction end);
-    void line_to(Point to);
-    void end_piece();
+    [[gnu::cold]] Segment placed(const Segment& segment) const;
+    [[gnu::cold]] void cut(const Segment& segment);
+    [[gnu::cold]] void begin_piece(Point at);
+    [[gnu::cold]] void go_on(const Segment& segment, std::uint32_t length, Fraction begin, Fraction end,
+                             bool ends);
+    [[gnu::cold]] void add(const Segment& segment, Fraction begin, Fraction end);
+    [[gnu::cold]] void line_to(Point to);
+    [[gnu::cold]] void end_piece();
 
     const Code* code_ = &code;
     const Trim& trim_;
@@ -170,9 +175,10 @@ private:
     std::uint32_t position_ = 0; ///< the length of what has been read
     bool is_whole_ = false;      ///< it is passed on as it is
     bool crosses_seam_ = false;
-    bool is_drawing_ = false; ///< within a window
-    Point start_;             ///< of the stroke: the centre of a sector
-    Point curve_start_;       ///< of a sector
+    bool is_drawing_ = false;      ///< within a window
+    bool is_at_beginning_ = false; ///< of a piece
+    Point start_;                  ///< of the stroke: the centre of a sector
+    Point curve_start_;            ///< of a sector
     Point curve_end_;
     Point piece_start_; ///< placed, as the next two
     Point last_;

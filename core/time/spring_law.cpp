@@ -17,7 +17,7 @@ constexpr std::array<std::int32_t, 6> halving_terms{1073741824, -744260635, 2579
                                                     -59494488,  10033292,   -1077640};
 
 /// 2^-exponent in Q30 for an exponent in Q26.
-std::int32_t halved(std::uint32_t exponent)
+[[gnu::cold]] std::int32_t halved(std::uint32_t exponent)
 {
     constexpr int bits = Oscillation::decay_bits + 16;
     const std::uint32_t whole = exponent >> bits;
@@ -27,7 +27,7 @@ std::int32_t halved(std::uint32_t exponent)
 }
 
 /// The wave and what is left of it are in Q26, so that the steepest lean of 16 stays within 32 bits.
-Progress swung(const Oscillation& oscillation, Fraction time)
+[[gnu::cold]] Progress swung(const Oscillation& oscillation, Fraction time)
 {
     constexpr int bits = 26;
     count_op(Op::law, 2); // two sines and a power in the place of one sine
@@ -43,7 +43,7 @@ Progress swung(const Oscillation& oscillation, Fraction time)
 /// Parabolas d^2 of the time d from their middles. With the length of the fall as the unit of time the whole
 /// takes 3 - 2 / 2^n; the parabola k, from that of the fall on, ends at 3 - 2 / 2^k, and its middle is at
 /// 3 - 3 / 2^k, 1 / 4^k from the next key.
-Progress bounced(std::uint32_t bounces, Fraction time)
+[[gnu::cold]] Progress bounced(std::uint32_t bounces, Fraction time)
 {
     const auto n = static_cast<int>(bounces);
     const int bits = 16 + n;
@@ -56,7 +56,7 @@ Progress bounced(std::uint32_t bounces, Fraction time)
     return {Progress::one - (Progress::one >> 2 * k) + multiply(from_middle, from_middle, 2 * bits - 16)};
 }
 
-Progress to_rest(const VelocityLaw& law, Fraction time)
+[[gnu::cold]] Progress to_rest(const VelocityLaw& law, Fraction time)
 {
     return law.kind == VelocityLaw::Kind::bounce ? bounced(bounces_of(law), time)
                                                  : swung(oscillation_of(law), time);

@@ -69,6 +69,6 @@ constexpr Oscillation oscillation_of(const VelocityLaw& law)
 /// - spring: within 1.5 units of the exact value for sizes of at most 1.5, at times at which the progress is
 ///   within -1.5 … 2.5; beyond, it is the nearest of these.
 /// - With SpringEnd::both the errors are half as large, and 0.5 units of rounding more.
-Progress spring_progress(const VelocityLaw& law, Fraction time);
+[[gnu::cold]] Progress spring_progress(const VelocityLaw& law, Fraction time);
 
 }

@@ -17,7 +17,8 @@ constexpr bool begins_name(char letter)
 /// Where the letters, digits and _ end that stand in `text` from `begin` on.
 std::size_t name_end(std::string_view text, std::size_t begin);
 
-/// The names of variables in an expression, each as often as it stands there, whether there are such variables or not.
+/// The names of variables in an expression, each as often as it stands there, whether there are such
+/// variables or not.
 std::vector<std::string_view> names_in(std::string_view text);
 
 /// Of variables and functions: what the text begins with; empty if that is no name.

@@ -34,9 +34,9 @@ public:
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed) { code_->end(*this, is_closed); }
     /// Ends the first piece of a closed stroke that is drawn across its seam: without a cap where it began.
-    void end_after_seam();
+    [[gnu::cold]] void end_after_seam();
     /// Ends the last piece of that stroke, which is the next one: joined to where the first one began.
-    void end_at_seam();
+    [[gnu::cold]] void end_at_seam();
 
 private:
     /// The functions that work on it: linked only with what makes one.

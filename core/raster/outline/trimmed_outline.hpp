@@ -8,7 +8,7 @@ namespace kfast {
 
 /// Adds to `outline` what a trim leaves of the strokes that trace(Affine{}, outline) adds to it, placed: it
 /// is called several times, and adds the same ones each time.
-void trace_trimmed(const Trim& trim, const Affine& placement, ObjectOutline& outline,
-                   FunctionRef<void(const Affine&, ObjectOutline&)> trace);
+[[gnu::cold]] void trace_trimmed(const Trim& trim, const Affine& placement, ObjectOutline& outline,
+                                 FunctionRef<void(const Affine&, ObjectOutline&)> trace);
 
 }

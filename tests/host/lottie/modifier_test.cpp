@@ -28,6 +28,7 @@ double length(const art::Drawing& drawing)
 }
 
 const std::string circle = R"({"ty": "el", "p": {"k": [0, 0]}, "s": {"k": [100, 100]}})";
+const std::string rounded = R"({"ty": "rd", "r": {"k": 5}}, )";
 constexpr double around = 314.16;
 
 }
@@ -61,10 +62,30 @@ TEST_CASE("past the end of an open path there are two pieces; a closed one goes 
     CHECK(closed.outlines[0].from.x == doctest::Approx(-50)); // a quarter before twelve o'clock
 }
 
+TEST_CASE("a trim that moves is one of the shape, where all paths of a stroke have it and nothing follows")
+{
+    const std::string moving = trim(R"("s": {"k": 10}, "e": )" + even("[0]", "[100]"));
+    const auto is_trimmed = [](const std::string& shapes) {
+        return shape(read_shapes(shapes).nodes.at(0)).trim.has_value();
+    };
+    const ReadShapes read = read_shapes(circle + moving + stroke);
+    const art::Shape& whole = shape(read.nodes.at(0));
+    REQUIRE(whole.trim);
+    CHECK(whole.drawing.is_still());
+    CHECK(whole.trim->start == art::Channel{0.1});
+    CHECK(whole.trim->end.keys.size() == 2);
+    CHECK_FALSE(whole.trim->together);
+    CHECK(is_trimmed(circle + ',' + line + moving + stroke));
+    CHECK_FALSE(is_trimmed(circle + moving + line + ", " + stroke));      // one path is whole
+    CHECK_FALSE(is_trimmed(circle + moving + moving.substr(2) + stroke)); // trimmed twice
+    CHECK_FALSE(is_trimmed(circle + moving + rounded + stroke));          // changed afterwards
+    CHECK_FALSE(is_trimmed(circle + trim(R"("e": {"k": 50})") + stroke)); // stands still
+}
+
 TEST_CASE("a trim that moves is right at all times, and draws nothing where nothing is left")
 {
     const ReadShapes read =
-        read_shapes(circle + trim(R"("s": {"k": 0}, "e": )" + even("[0]", "[100]")) + stroke);
+        read_shapes(circle + trim(R"("s": {"k": 0}, "e": )" + even("[0]", "[100]")) + rounded + stroke);
     const auto& drawing = shape(read.nodes.at(0)).drawing;
     CHECK(drawing.at(0).outlines.empty());
     for (const double time : {0.7, 2.3, 4.9, 5.1, 7.77, 9.9})

@@ -104,7 +104,7 @@ TEST_CASE("repeaters of repeaters over what is trimmed at every moment are refus
                          R"("s": {"a": 1, "k": [{"t": 0, "s": [10, 10]}, {"t": 60, "s": [30, 10]}]}}, )"
                          R"({"ty": "tm", "s": {"a": 1, "k": [{"t": 0, "s": [0]}, {"t": 59, "s": [90]}]}, )"
                          R"("e": {"k": 100}, "o": {"k": 0}}, )"
-                         R"({"ty": "st", "c": {"k": [1, 0, 0]}, "o": {"k": 100}, "w": {"k": 2}})" +
+                         R"({"ty": "fl", "c": {"k": [1, 0, 0]}, "o": {"k": 100}})" +
                          repeater + repeater + "]}"))
               .find("points to compute") != std::string::npos);
 }
