@@ -135,9 +135,9 @@ private:
         bool is_closed = false;   ///< in a sector: whether its curves end where they began
     };
 
-    [[gnu::cold]] void begin_stroke(Point at);
-    [[gnu::cold]] void take(const Segment& segment);
-    [[gnu::cold]] void end_stroke(Point hub, bool is_closed);
+    [[gnu::cold, gnu::noinline]] void begin_stroke(Point at);
+    [[gnu::cold, gnu::noinline]] void take(const Segment& segment);
+    [[gnu::cold, gnu::noinline]] void end_stroke(Point hub, bool is_closed);
 
     bool is_in_batch() const { return stroke_ - first_ < batch; }
     Measured& measured() { return measured_[stroke_ - first_]; }

@@ -68,7 +68,7 @@ public:
     /// The width of the stroke; only of what is stroked.
     Fixed width() const;
     /// Which part of its strokes is drawn.
-    Trim trim() const;
+    [[gnu::cold]] Trim trim() const;
 
 private:
     const TrackState* track(Property property) const;

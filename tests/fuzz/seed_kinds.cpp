@@ -148,7 +148,11 @@ private:
     {
         for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
             const TrackView track = tracks.next();
-            see(track.is_fixed ? "Tracks: fixed" : "Tracks: keys of", track.property);
+            if (track.is_fixed && is_of_trim(track.property))
+                see("Tracks: fixed trim",
+                    static_cast<int>(track.property) - static_cast<int>(Property::trim_from));
+            else
+                see(track.is_fixed ? "Tracks: fixed" : "Tracks: keys of", track.property);
             if (track.property == Property::along) {
                 see("Tracks: path turns", item.path.turns);
                 at_drawing(item.path.drawing);

@@ -63,13 +63,14 @@ public:
 
     // For what the trimmer lets through.
 
-    void begin_piece(Point from);
-    void add_to_piece(const Segment& segment);
-    void end_piece(Point hub, PieceEnd end);
+    // Not inlined, for those above would have copies of them.
+    [[gnu::noinline]] void begin_piece(Point from);
+    [[gnu::noinline]] void add_to_piece(const Segment& segment);
+    [[gnu::cold]] void end_piece(Point hub, PieceEnd end);
     int pieces_of(const Segment& segment) const { return view_.pieces_of(segment); }
 
 private:
-    void end_whole(Point hub, bool is_closed);
+    [[gnu::noinline]] void end_whole(Point hub, bool is_closed);
     void line_to(Point seen);
 
     raster::OutlineStore& outlines_;

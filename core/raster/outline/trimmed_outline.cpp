@@ -7,9 +7,9 @@ namespace {
 struct OutlinePieces {
     ObjectOutline& outline;
 
-    void begin(Point at) { outline.begin_piece(at); }
-    void add(const Segment& segment) { outline.add_to_piece(segment); }
-    void end_piece(Point hub, PieceEnd end) { outline.end_piece(hub, end); }
+    [[gnu::cold]] void begin(Point at) { outline.begin_piece(at); }
+    [[gnu::cold]] void add(const Segment& segment) { outline.add_to_piece(segment); }
+    [[gnu::cold]] void end_piece(Point hub, PieceEnd end) { outline.end_piece(hub, end); }
     int pieces_of(const Segment& segment) const { return outline.pieces_of(segment); }
 };
 
