@@ -12,7 +12,7 @@ namespace kfast {
 namespace {
 
 /// The polar form of a cubic: blossom(t, t, t) is the point at t.
-Point blossom(const Segment& cubic, Fraction r, Fraction s, Fraction t)
+[[gnu::cold]] Point blossom(const Segment& cubic, Fraction r, Fraction s, Fraction t)
 {
     const Point a = lerp(cubic.from, cubic.c1, r);
     const Point b = lerp(cubic.c1, cubic.c2, r);

@@ -54,6 +54,6 @@ BoardRecord board_record(const BoardSettings& settings);
 /// The settings in a record of either version; nothing if it is damaged, of another version, or no record, or
 /// if a number in it has no meaning in its version. Pins and sizes may still contradict each other or the
 /// chip (board_rules.hpp). More bytes may follow.
-std::optional<BoardSettings> read_board_record(std::span<const std::byte> bytes);
+[[gnu::cold]] std::optional<BoardSettings> read_board_record(std::span<const std::byte> bytes);
 
 }
