@@ -26,7 +26,10 @@ public:
     static constexpr int width = 2 * columns;
     static constexpr int height = 4 * rows;
 
-    void set(int x, int y) { letters_[y / 4][x / 2] |= bit_of(x % 2, y % 4); }
+    void set(int x, int y)
+    {
+        letters_[static_cast<std::size_t>(y / 4)][static_cast<std::size_t>(x / 2)] |= bit_of(x % 2, y % 4);
+    }
     std::string row(std::size_t number) const
     {
         std::string text;
