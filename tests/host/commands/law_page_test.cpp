@@ -42,7 +42,7 @@ TEST_CASE("the page about laws has all of them, and all other names")
 TEST_CASE("curves stand beside each other as the terminal is wide")
 {
     CHECK(law_page({}) == law_page({.width = 80}));
-    for (const std::size_t width : {60, 80, 100})
+    for (const std::size_t width : {60U, 80U, 100U})
         CHECK(widest_line(law_page({.width = width})) <= width);
     CHECK(law_page({.width = 30}).find("constant\n") != std::string::npos);
     CHECK(law_page({.width = 80}).find("constant                  accelerate                decelerate\n") !=
