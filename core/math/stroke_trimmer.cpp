@@ -21,11 +21,12 @@ std::uint32_t distance(Point from, Point to)
         return 0;
     count_op(Op::pen_piece);
     const Direction along = to_polar(step).direction;
-    const std::int32_t projected =
-        multiply_q16(step.x.raw(), 2 * along.x) + multiply_q16(step.y.raw(), 2 * along.y);
+    const auto across =
+        static_cast<std::uint32_t>(multiply_q16(step.x.raw(), 2 * along.x)); // neither below 0
+    const auto down = static_cast<std::uint32_t>(multiply_q16(step.y.raw(), 2 * along.y));
+    const auto projected = static_cast<std::int32_t>(rounded_shift(across + down, 4));
     const std::int32_t excess = along.x * along.x + along.y * along.y - one_q30; // 2^30 (|d|^2 - 1)
-    const std::int32_t length = projected - multiply(projected, excess, 31);
-    return static_cast<std::uint32_t>(rounded_shift(length, 4));
+    return static_cast<std::uint32_t>(projected - multiply(projected, excess, 31));
 }
 
 std::uint32_t sum(std::uint32_t a, std::uint32_t b) { return a > max_length - b ? max_length : a + b; }
@@ -39,8 +40,8 @@ std::uint64_t share_of(std::uint32_t length, std::uint64_t share)
 
 Trim Trim::between(std::int32_t from, std::int32_t to, std::int32_t offset, TrimMode mode)
 {
-    const auto clamped = [](std::int32_t share) {
-        return static_cast<std::uint32_t>(std::clamp<std::int32_t>(share, 0, whole));
+    const auto clamped = [](std::int32_t part) {
+        return static_cast<std::uint32_t>(std::clamp<std::int32_t>(part, 0, whole));
     };
     const std::uint32_t begin = std::min(clamped(from), clamped(to));
     const std::uint32_t end = std::max(clamped(from), clamped(to));

@@ -225,6 +225,7 @@ TEST_CASE("a closed stroke that is wholly within the window stays closed")
 TEST_CASE("any number of strokes is trimmed")
 {
     std::vector<TestStroke> strokes;
+    strokes.reserve(50);
     for (int i = 0; i < 50; ++i)
         strokes.push_back(lines({pixels(0, i), pixels(i + 1, i)}));
     const auto each = trimmed(strokes, trim_of(0, 0.5));
@@ -321,6 +322,7 @@ TEST_CASE("absurd lengths stay in order")
 {
     const Point far = pixels(16383, 16383);
     std::vector<Point> points;
+    points.reserve(200);
     for (int i = 0; i < 200; ++i)
         points.push_back(i % 2 == 0 ? -far : far);
     for (const TrimMode mode : {TrimMode::each, TrimMode::together, TrimMode::sector})
