@@ -110,7 +110,7 @@ std::string law_text(const VelocityLaw& law)
 {
     if (is_spring(law))
         return spring_text(law);
-    const std::string keyword{word_of(law.kind).keyword};
+    std::string keyword{word_of(law.kind).keyword};
     switch (law.kind) {
     case VelocityLaw::Kind::steps:
         return keyword + '(' + std::to_string(law.count) + ')';

@@ -23,7 +23,8 @@ constexpr std::string_view rest_name = "rest";
 
 /// Fifteen turns: plus the angle as set up, this stays within what the format holds.
 constexpr Range turns{-5400, 5400};
-constexpr Range lengths{0, longest_bone / 16};
+constexpr int longest_in_pixels = longest_bone / 16;
+constexpr Range lengths{0, longest_in_pixels};
 
 template <std::optional<double> PosedBone::*quantity, const Range& range>
 bool read_quantity(const kdl::Value& value, PosedBone& bone, SceneContext& context)

@@ -52,9 +52,9 @@ struct Exact {
     {
         constexpr int samples = 16;
         int inside = 0;
-        for (int i = 0; i < samples * samples; ++i)
-            inside +=
-                covers(column + (i % samples + 0.5) / samples, row + (i / samples + 0.5) / samples) ? 1 : 0;
+        for (int y = 0; y < samples; ++y)
+            for (int x = 0; x < samples; ++x)
+                inside += covers(column + (x + 0.5) / samples, row + (y + 0.5) / samples) ? 1 : 0;
         return inside * 255 / (samples * samples);
     }
 
