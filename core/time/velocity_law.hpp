@@ -21,7 +21,7 @@ struct VelocityLaw {
         steps,                 ///< floor(u n) / n, the steps(n) of CSS
         bezier,                ///< the cubic-bezier(x1, y1, x2, y2) of CSS
         bounce,                ///< a fall and n bounces (core/time/spring_law.hpp)
-        spring,                ///< an oscillation that dies down (likewise)
+        spring,                ///< an oscillation that dies down (spring_law.hpp)
     };
 
     Kind kind = Kind::constant;

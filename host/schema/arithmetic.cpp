@@ -61,9 +61,9 @@ double cosine_of_degrees(double degrees)
 
 double rounded(double number) { return std::round(number); }
 
-double least_of(std::span<const double> numbers) { return *std::ranges::min_element(numbers); }
+double min_of(std::span<const double> numbers) { return *std::ranges::min_element(numbers); }
 
-double greatest_of(std::span<const double> numbers) { return *std::ranges::max_element(numbers); }
+double max_of(std::span<const double> numbers) { return *std::ranges::max_element(numbers); }
 
 const Function* function_called(std::string_view name)
 {

@@ -12,7 +12,7 @@ namespace kfast::schema {
 
 struct Operator {
     char mark;
-    int strength; ///< the stronger one goes first
+    int precedence; ///< the stronger one goes first
     double (*compute)(double left, double right);
 };
 
@@ -36,14 +36,14 @@ double sine_of_degrees(double degrees);
 double cosine_of_degrees(double degrees);
 /// To the nearest whole number, halves away from zero.
 double rounded(double number);
-double least_of(std::span<const double> numbers);
-double greatest_of(std::span<const double> numbers);
+double min_of(std::span<const double> numbers);
+double max_of(std::span<const double> numbers);
 
 inline constexpr std::size_t any_count = std::numeric_limits<std::size_t>::max();
 
 inline constexpr std::array functions{
-    Function{"min", "min(A, B)", 2, any_count, least_of},
-    Function{"max", "max(A, B)", 2, any_count, greatest_of},
+    Function{"min", "min(A, B)", 2, any_count, min_of},
+    Function{"max", "max(A, B)", 2, any_count, max_of},
     Function{"round", "round(A)", 1, 1, [](std::span<const double> values) { return rounded(values[0]); }},
     Function{"sin", "sin(DEGREES)", 1, 1,
              [](std::span<const double> values) { return sine_of_degrees(values[0]); }},

@@ -30,7 +30,7 @@ public:
 private:
     using Number = std::optional<double>;
 
-    Number chain(int least_strength);
+    Number chain(int min_precedence);
     Number operand();
     template <class Read>
     Number deeper(Read read);
@@ -41,7 +41,7 @@ private:
     Number called(const Function& function, SourceSpan name);
     Number value_of(std::string_view name, SourceSpan place);
 
-    const Operator* operator_ahead(int least_strength);
+    const Operator* operator_ahead(int min_precedence);
     Number combined(double left, const Operator& with, double right, std::size_t begin, std::size_t middle);
     Number within_limits(double number, std::size_t begin);
 
@@ -93,20 +93,20 @@ std::optional<double> ExpressionReader::deeper(Read read)
     return number;
 }
 
-/// Operators of at least that strength, from left to right.
-std::optional<double> ExpressionReader::chain(int least_strength)
+/// Operators of at least that precedence, from left to right.
+std::optional<double> ExpressionReader::chain(int min_precedence)
 {
     next();
     const std::size_t begin = offset_;
     Number left = operand();
     while (left) {
-        const Operator* const with = operator_ahead(least_strength);
+        const Operator* const with = operator_ahead(min_precedence);
         if (with == nullptr)
             break;
         ++offset_;
         next();
         const std::size_t middle = offset_;
-        const Number right = chain(with->strength + 1);
+        const Number right = chain(with->precedence + 1);
         left = right ? combined(*left, *with, *right, begin, middle) : std::nullopt;
     }
     return left;
@@ -212,10 +212,10 @@ std::optional<double> ExpressionReader::value_of(std::string_view name, SourceSp
     return fail(place, in_quotes(name) + " is used before its definition", "define it in front of this");
 }
 
-const Operator* ExpressionReader::operator_ahead(int least_strength)
+const Operator* ExpressionReader::operator_ahead(int min_precedence)
 {
     const auto found = std::ranges::find(operators, next(), &Operator::mark);
-    return found != operators.end() && found->strength >= least_strength ? &*found : nullptr;
+    return found != operators.end() && found->precedence >= min_precedence ? &*found : nullptr;
 }
 
 /// The right side begins at `middle`.

@@ -70,14 +70,14 @@ Dots curve_of(const VelocityLaw& law)
     return dots;
 }
 
-/// With its usual numbers, or with some that show what it does.
+/// With its default numbers, or with some that show what it does.
 VelocityLaw example_of(const LawWord& word)
 {
     if (!word.has_numbers())
         return word.law;
     const scene::CallForm& call = scene::call_of(word.keyword);
-    if (call.has_usual_numbers())
-        return call.usual_law();
+    if (call.has_default_numbers())
+        return call.default_law();
     return word.law.kind == VelocityLaw::Kind::steps ? VelocityLaw::in_steps(4)
                                                      : bezier_law(0.8, -0.4, 0.2, 1.4);
 }
@@ -108,15 +108,15 @@ std::string row_of_curves(std::span<const LawWord> words)
     return text;
 }
 
-std::string usual_numbers()
+std::string default_numbers()
 {
     std::string text;
     for (const LawWord& word : law_words)
-        if (word.has_numbers() && scene::call_of(word.keyword).has_usual_numbers()) {
+        if (word.has_numbers() && scene::call_of(word.keyword).has_default_numbers()) {
             text.append(text.empty() ? "" : ", ").append(word.keyword).append(" is ").append(word.keyword);
             std::string numbers;
             for (const scene::Parameter& parameter : scene::call_of(word.keyword).parameters)
-                numbers.append(numbers.empty() ? "(" : ",").append(scene::text_of(*parameter.usual));
+                numbers.append(numbers.empty() ? "(" : ",").append(scene::text_of(*parameter.default_value));
             text += numbers + ')';
         }
     return text;
@@ -137,7 +137,7 @@ std::string law_page(const HelpStyle& style)
     const std::span words{law_words};
     for (std::size_t first = 0; first < words.size(); first += in_row)
         text += '\n' + row_of_curves(words.subspan(first, std::min(in_row, words.size() - first)));
-    text += '\n' + broken_text("Without numbers " + usual_numbers() + ".", 0, width) + "\n\n" +
+    text += '\n' + broken_text("Without numbers " + default_numbers() + ".", 0, width) + "\n\n" +
             help_heading("Other names, also in the way of easeInQuad", style);
     for (const EasingName& easing : easing_names()) {
         std::string line = "  " + std::string{easing.name};

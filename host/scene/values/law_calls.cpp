@@ -82,11 +82,11 @@ static_assert(std::ranges::all_of(law_words, [](const LawWord& word) {
 
 }
 
-VelocityLaw CallForm::usual_law() const
+VelocityLaw CallForm::default_law() const
 {
     std::vector<double> numbers;
     for (const Parameter& parameter : parameters)
-        numbers.push_back(parameter.usual.value());
+        numbers.push_back(parameter.default_value.value());
     return make(numbers);
 }
 

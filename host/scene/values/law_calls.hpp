@@ -14,7 +14,7 @@ namespace kfast::scene {
 struct Parameter {
     std::string_view name;
     Range range;
-    std::optional<double> usual = {}; ///< what it is in a law without parentheses
+    std::optional<double> default_value = {}; ///< what it is in a law without parentheses
 };
 
 /// What is wrong with numbers that are in their ranges.
@@ -23,7 +23,7 @@ struct Objection {
     std::string hint;
 };
 
-/// A law that has numbers in parentheses, or none where all of them have usual values.
+/// A law that has numbers in parentheses, or none where all of them have defaults.
 struct CallForm {
     std::string_view keyword;
     std::span<const Parameter> parameters;
@@ -32,9 +32,9 @@ struct CallForm {
     std::optional<Objection> (*objection)(std::span<const double> numbers) = nullptr;
 
     /// Of all of its parameters.
-    bool has_usual_numbers() const { return parameters.front().usual.has_value(); }
-    /// Only if it has usual numbers.
-    VelocityLaw usual_law() const;
+    bool has_default_numbers() const { return parameters.front().default_value.has_value(); }
+    /// Only if it has default numbers.
+    VelocityLaw default_law() const;
 };
 
 /// `keyword` is that of a law with numbers (host/words/law_words.hpp).

@@ -88,9 +88,9 @@ std::optional<VelocityLaw> LawReader::read_rest(const LawWord& word)
     if (!word.has_numbers())
         return expect_end(word.form) ? std::optional{word.law} : std::nullopt;
     const CallForm& call = call_of(word.keyword);
-    if (!call.has_usual_numbers() || next() == '(')
+    if (!call.has_default_numbers() || next() == '(')
         return read_call(call);
-    return expect_end(word.form) ? std::optional{call.usual_law()} : std::nullopt;
+    return expect_end(word.form) ? std::optional{call.default_law()} : std::nullopt;
 }
 
 std::optional<VelocityLaw> LawReader::read_call(const CallForm& call)
@@ -243,7 +243,7 @@ std::vector<std::string_view> law_forms()
 {
     std::vector<std::string_view> forms;
     for (const LawWord& word : law_words) {
-        if (word.has_numbers() && call_of(word.keyword).has_usual_numbers())
+        if (word.has_numbers() && call_of(word.keyword).has_default_numbers())
             forms.push_back(word.keyword);
         forms.push_back(word.form);
     }

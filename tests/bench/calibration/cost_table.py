@@ -1,5 +1,7 @@
 """host/fit/cost_table.cpp, as scripts/calibrate writes it."""
 
+import textwrap
+
 HEAD = """// Written by scripts/calibrate.
 
 #include "host/fit/cost_table.hpp"
@@ -41,6 +43,6 @@ def row(cpu, costs, names):
 
 
 def write_table(path, names, table):
-    kinds = "\n".join(f'    "{name}",' for name in names)
+    kinds = textwrap.fill(", ".join(f'"{name}"' for name in names) + ",", 108, initial_indent="    ", subsequent_indent="    ")
     rows = "".join(row(cpu, costs, names) for cpu, costs in table.items())
     path.write_text(HEAD.replace("KINDS", kinds) + rows + TAIL, encoding="utf-8")
