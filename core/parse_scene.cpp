@@ -106,6 +106,17 @@ template <std::size_t symbols>
            records_.nodes <= kfb::max_nodes;
 }
 
+/// The number of clips, which is behind the clocks, may be left out with all that follows.
+[[gnu::cold]] void SceneView::read_marks(ByteReader marks)
+{
+    clock_count_ = marks.left() == 0 ? 0 : marks.u8();
+    clocks_ = marks;
+    ClockCursor clocks = this->clocks();
+    while (!clocks.at_end())
+        clocks.next();
+    marks_ = clocks.rest();
+}
+
 [[gnu::cold]] bool SceneView::read_sections(ByteReader reader)
 {
     outline_bytes_ = read_words(reader, kfb::max_outline_bytes);
@@ -133,7 +144,7 @@ template <std::size_t symbols>
             return false; // then the header says that there are none
     }
     if (kfb::header::has_marks.get(head))
-        marks_ = take_block(reader);
+        read_marks(take_block(reader));
     if (kfb::header::has_bones.get(head))
         bones_ = take_block(reader);
     if (kfb::header::has_symbols.get(head)) {

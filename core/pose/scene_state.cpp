@@ -102,7 +102,7 @@ SceneTime SceneState::pose(Time time)
 {
     move_to(time);
     pose_bones();
-    return {time, inputs_};
+    return {time, inputs_, on_panel_.prepared.clocks()};
 }
 
 void SceneState::set_input(std::uint32_t number, Time place)

@@ -81,7 +81,8 @@ protected:
     const Dependence& move_to(Time time);
     /// Poses the bones as at the time of the last move_to().
     void pose_bones();
-    /// Calls move_to() and pose_bones(). What is returned is valid until an input is set.
+    /// Calls move_to() and pose_bones(). What is returned is valid until an input is set or
+    /// the time moved.
     SceneTime pose(Time time);
 
 private:

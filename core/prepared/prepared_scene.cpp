@@ -15,6 +15,7 @@ std::size_t track_bytes(const SceneView& scene) { return scene.records().tracks 
 std::size_t node_bytes(const SceneView& scene) { return scene.records().nodes * sizeof(Node); }
 std::size_t bone_bytes(const SceneView& scene) { return scene.records().bones * sizeof(BoneNode); }
 std::size_t level_bytes(const SceneView& scene) { return scene.records().levels * sizeof(WalkLevel); }
+std::size_t clock_bytes(const SceneView& scene) { return scene.clock_count() * sizeof(Time); }
 
 /// Values as `track` has them stored.
 PackedValues values_of(const SceneView& scene, const TrackState& track, std::uint32_t count)
@@ -35,7 +36,7 @@ ItemView item_view(const SceneView& scene, const Node& node)
 std::size_t PreparedScene::bytes_for(const SceneView& scene)
 {
     return timeline_bytes(scene) + track_bytes(scene) + node_bytes(scene) + bone_bytes(scene) +
-           level_bytes(scene);
+           level_bytes(scene) + clock_bytes(scene);
 }
 
 PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory)
@@ -46,6 +47,7 @@ PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory
     nodes_ = cutter.cut_as<Node>(node_bytes(scene));
     bones_ = cutter.cut_as<BoneNode>(bone_bytes(scene));
     levels_ = cutter.cut_as<WalkLevel>(level_bytes(scene));
+    clocks_ = cutter.cut_as<Time>(clock_bytes(scene));
     Preparer preparer{scene, {timelines_, tracks_, nodes_, bones_}};
     preparer.run();
     root_ = static_cast<std::uint16_t>(preparer.root());
@@ -54,9 +56,12 @@ PreparedScene::PreparedScene(const SceneView& scene, std::span<std::byte> memory
 void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs)
 {
     moved_ = {};
+    if (!clocks_.empty())
+        set_clocks(scene, moment);
+    const SceneTime with_clocks{moment.time(), moment.inputs(), clocks_};
     std::uint32_t number = 0;
     for (KeyTimeline& timeline : timelines_) {
-        timeline.move_to(moment.at(timeline.driver()), scene);
+        timeline.move_to(with_clocks.at(timeline.driver()), scene);
         const std::uint32_t bit = Dependence::bit(number++);
         moved_.keys |= timeline.has_other_keys() ? bit : 0;
         moved_.tweens |= timeline.has_moved() ? bit : 0;
@@ -66,6 +71,17 @@ void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std
     for (std::uint32_t input = 0; changed_inputs != 0; ++input, changed_inputs >>= 1)
         if ((changed_inputs & 1) != 0)
             moved_ = moved_ | dependence_of_input(input);
+}
+
+/// A clock goes by the scene's time or by one before it.
+[[gnu::cold, gnu::noinline]] void PreparedScene::set_clocks(const SceneView& scene, const SceneTime& moment)
+{
+    const SceneTime with_clocks{moment.time(), {}, clocks_};
+    ClockCursor clocks = scene.clocks();
+    for (Time& shown : clocks_) {
+        const Clock clock = clocks.next();
+        shown = clock.at(with_clocks.at(clock.driver));
+    }
 }
 
 /// Takes over the values for all timelines that have come to other keys.

@@ -109,6 +109,7 @@ ItemView item_view(const SceneView& scene, const Node& node);
 ///     nodes       items in the order of the scene      Node
 ///     bones       of all skeletons                     BoneNode
 ///     levels      room for one walk at a time          WalkLevel
+///     clocks      what each of them shows              Time
 class PreparedScene {
 public:
     /// The size of its memory, a multiple of 4.
@@ -119,8 +120,10 @@ public:
     /// outlive this.
     PreparedScene(const SceneView& scene, std::span<std::byte> memory);
 
-    /// `changed_inputs` has a bit for each input that is no number and was given a new value.
+    /// `moment` has the time and the inputs. `changed_inputs` has a bit for each input that is no number and was given a new value.
     void move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs);
+    /// What the clocks of the scene show.
+    std::span<const Time> clocks() const { return clocks_; }
     /// What has moved since the time before.
     const Dependence& moved() const { return moved_; }
 
@@ -184,6 +187,7 @@ public:
     }
 
 private:
+    void set_clocks(const SceneView& scene, const SceneTime& moment);
     void take_keys(const SceneView& scene);
     Dependence dependence_of_bones(const Node& node) const;
 
@@ -192,6 +196,7 @@ private:
     std::span<Node> nodes_;
     std::span<BoneNode> bones_;
     std::span<WalkLevel> levels_;
+    std::span<Time> clocks_;
     std::uint16_t root_ = 0;
     Dependence moved_;
 };

@@ -66,6 +66,11 @@ constexpr void each_parameter(Law& law, Use use)
 }
 }
 
+/// "Clocks": the byte of what happens at the end.
+namespace clock {
+inline constexpr BitField<0, 2> loop;
+}
+
 /// "Texts": characters that follow each other, 4 bytes.
 namespace glyph_range {
 inline constexpr std::size_t bytes = 4;
@@ -79,7 +84,7 @@ inline constexpr std::uint32_t use_default = 0; ///< in the place of their numbe
 inline constexpr BitField<0, 5> time_width;
 inline constexpr BitField<5, 4> time_shift;
 inline constexpr BitField<9, 6> law_width;
-inline constexpr BitFlag<15> has_input;
+inline constexpr BitFlag<15> has_driver; ///< else they go by the time of the scene
 inline constexpr std::uint32_t max_law_width = 8;
 /// The maximum of width + shift: a time stays within 32 bits until it is refused.
 inline constexpr std::uint32_t max_time_bits = 30;

@@ -22,6 +22,7 @@ inline constexpr int min_hatch_spacing = 8;                  ///< in 1/16 px
 inline constexpr std::size_t max_law_pairs = 255;            ///< besides that of constant laws
 inline constexpr std::size_t max_symbols = 255;
 inline constexpr std::size_t max_clips = 255;
+inline constexpr std::size_t max_clocks = 223; ///< their numbers as drivers of keys are 33 … 255
 inline constexpr std::uint32_t max_inputs = 32;
 inline constexpr std::int32_t max_input_value = 1'000'000'000; ///< in 1/1000, in each direction
 inline constexpr std::uint32_t max_text = 60;     ///< characters of a text: what a report of the link carries

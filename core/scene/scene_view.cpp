@@ -5,6 +5,18 @@
 
 namespace kfast {
 
+Clock ClockCursor::next()
+{
+    --left_;
+    Clock clock;
+    clock.driver = {static_cast<std::uint8_t>(bytes_.u8())};
+    clock.loop = static_cast<Loop>(bytes_.u8());
+    clock.delay = {bytes_.signed_varint()};
+    clock.speed = bytes_.signed_varint();
+    clock.length = read_time_code(bytes_);
+    return clock;
+}
+
 ClipView ClipCursor::next()
 {
     --left_;

@@ -11,6 +11,7 @@
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/skeleton_view.hpp"
+#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "core/time/velocity_law.hpp"
 
@@ -35,6 +36,22 @@ struct ClipView {
 struct EventView {
     std::string_view name; ///< UTF-8
     Time time;
+};
+
+/// Reads the clocks of a scene in their order.
+class ClockCursor {
+public:
+    ClockCursor(ByteReader bytes, std::uint32_t count) : bytes_{bytes}, left_{count} {}
+
+    bool at_end() const { return left_ == 0; }
+    /// Only when not at the end.
+    Clock next();
+    /// What has not been read: the clips, after the last clock.
+    const ByteReader& rest() const { return bytes_; }
+
+private:
+    ByteReader bytes_;
+    std::uint32_t left_;
 };
 
 /// Reads the clips of a scene in their order.
@@ -197,6 +214,9 @@ public:
     std::uint32_t number_inputs() const { return number_inputs_; }
     /// The number of the input that has this name.
     std::optional<std::uint32_t> input(std::string_view name) const;
+    /// The times of their own that parts of the scene go by.
+    ClockCursor clocks() const { return {clocks_, clock_count_}; }
+    std::uint32_t clock_count() const { return clock_count_; }
     ClipCursor clips() const;
     std::optional<ClipView> clip(std::string_view name) const;
     /// The events in the order of their times.
@@ -207,6 +227,7 @@ private:
 
     std::optional<Error> read(std::span<const std::byte> bytes, std::uint32_t* item);
     bool read_sections(ByteReader reader);
+    void read_marks(ByteReader marks);
     std::optional<Error> check(std::uint32_t* item);
     std::optional<Error> check(std::uint32_t* item, std::span<ItemTotals> symbols);
     template <std::size_t symbols>
@@ -230,6 +251,7 @@ private:
     std::uint32_t law_count_ = 0;
     std::uint32_t symbol_count_ = 0;
     std::uint32_t input_count_ = 0;
+    std::uint32_t clock_count_ = 0;
     std::uint32_t number_inputs_ = 0;
     FeatureSet needed_features_;
     std::uint16_t cost_ = 0;
@@ -237,7 +259,8 @@ private:
     std::span<const std::byte> palette_;
     ByteReader laws_;
     ByteReader inputs_;
-    ByteReader marks_;
+    ByteReader clocks_;
+    ByteReader marks_; ///< behind the clocks
     ByteReader bones_;
     ByteReader symbols_;
     ByteReader items_;

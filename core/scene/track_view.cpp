@@ -43,7 +43,7 @@ namespace {
 
 static_assert(kfb::max_time < 1 << kfb::key_times::max_time_bits);
 
-Driver take_input(ByteReader& bytes)
+Driver take_driver(ByteReader& bytes)
 {
     const Driver driver{static_cast<std::uint8_t>(bytes.u8())};
     if (driver.is_time())
@@ -79,8 +79,8 @@ KeyTimeCursor KeyTimeCursor::take(ByteReader& bytes, const KeyTimeCursor& defaul
         key_times.law_bits_ = key_times.time_bits_ = key_times.time_shift_ =
             0; // for code that reads on all the same
     }
-    if (kfb::key_times::has_input.get(form))
-        key_times.driver_ = take_input(bytes);
+    if (kfb::key_times::has_driver.get(form))
+        key_times.driver_ = take_driver(bytes);
     key_times.bits_ =
         BitReader::take(bytes, count, std::uint32_t{key_times.time_bits_} + key_times.law_bits_);
     return key_times;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -46,11 +47,23 @@ constexpr Time wrap(Time time, Time length, Loop loop)
     return {within > length.ticks ? period - within : within};
 }
 
-/// What the times of keys go by: the time of the scene, or the place of one of its inputs.
+/// What the times of keys go by: the time of the scene, the place of one of its inputs, or one of its clocks
+/// (core/time/clock.hpp).
 struct Driver {
-    std::uint8_t input = 0; ///< 0: the time; else the number of the input, counted from 1
+    static constexpr std::uint8_t first_clock = 33;
 
-    constexpr bool is_time() const { return input == 0; }
+    std::uint8_t number = 0; ///< 0: the time; up to 32: the input, counted from 1; from 33 on: the clock
+
+    /// `index` is that of a clock of the scene.
+    static constexpr Driver of_clock(std::size_t index)
+    {
+        return {static_cast<std::uint8_t>(first_clock + index)};
+    }
+    constexpr bool is_time() const { return number == 0; }
+    constexpr bool is_clock() const { return number >= first_clock; }
+    constexpr bool is_input() const { return !is_time() && !is_clock(); }
+    /// The index of the input or the clock; only of one.
+    constexpr std::size_t index() const { return number - (is_clock() ? std::size_t{first_clock} : 1U); }
     friend constexpr bool operator==(Driver, Driver) = default;
     friend constexpr auto operator<=>(Driver, Driver) = default;
 };
@@ -68,20 +81,27 @@ inline constexpr Time whole_input{65536};
 /// The places of all drivers of a scene at one time.
 class SceneTime {
 public:
-    /// `inputs`, from 0 to whole_input each, must outlive the SceneTime. One that is not set is at 0.
-    constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
+    /// `inputs`, from 0 to whole_input each, and `clocks` must outlive the SceneTime. One that is not set is
+    /// at 0.
+    constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}, std::span<const Time> clocks = {})
+        : time_{time}, inputs_{inputs}, clocks_{clocks}
+    {
+    }
 
     constexpr Time time() const { return time_; }
+    constexpr std::span<const Time> inputs() const { return inputs_; }
     constexpr Time at(Driver driver) const
     {
         if (driver.is_time())
             return time_;
-        return driver.input <= inputs_.size() ? inputs_[driver.input - 1U] : Time{};
+        const std::span<const Time> places = driver.is_clock() ? clocks_ : inputs_;
+        return driver.index() < places.size() ? places[driver.index()] : Time{};
     }
 
 private:
     Time time_;
     std::span<const Time> inputs_;
+    std::span<const Time> clocks_;
 };
 
 /// On which timelines and inputs something depends at a time: a bit for each. There may be more of them than

@@ -39,11 +39,11 @@ struct InfoOptions {
 };
 
 /// The keys as an author writes them.
-Json keys_of(const SceneView& scene, Driver clock = {})
+Json keys_of(const SceneView& scene, Driver driver = {})
 {
     Json keys = Json::array();
-    for (const Time key : key_times(scene, clock))
-        keys.push_back(written_moment(scene, clock, key));
+    for (const Time key : key_times(scene, driver))
+        keys.push_back(written_moment(scene, driver, key));
     return keys;
 }
 
@@ -61,14 +61,14 @@ std::size_t wire_frame_count(const SceneView& scene)
     return count;
 }
 
-Json number_facts(const SceneView& scene, const InputView& input, Driver clock)
+Json number_facts(const SceneView& scene, const InputView& input, Driver driver)
 {
     return {{"name", input.name},
             {"kind", "number"},
             {"min", input.min / 1000.0},
             {"max", input.max / 1000.0},
             {"default", input.default_value / 1000.0},
-            {"keys", keys_of(scene, clock)}};
+            {"keys", keys_of(scene, driver)}};
 }
 
 Json text_facts(const InputView& input)
@@ -89,11 +89,11 @@ Json drawing_facts(const InputView& input)
             {"points", input.drawing.points}};
 }
 
-Json input_facts(const SceneView& scene, const InputView& input, Driver clock)
+Json input_facts(const SceneView& scene, const InputView& input, Driver driver)
 {
     switch (input.type) {
     case InputType::number:
-        return number_facts(scene, input, clock);
+        return number_facts(scene, input, driver);
     case InputType::text:
         return text_facts(input);
     case InputType::drawing:
@@ -107,10 +107,28 @@ Json input_facts(const SceneView& scene)
     Json inputs = Json::array();
     for (InputCursor cursor = scene.inputs(); !cursor.at_end();) {
         const InputView input = cursor.next();
-        const Driver clock{static_cast<std::uint8_t>(inputs.size() + 1)};
-        inputs.push_back(input_facts(scene, input, clock));
+        const Driver driver{static_cast<std::uint8_t>(inputs.size() + 1)};
+        inputs.push_back(input_facts(scene, input, driver));
     }
     return inputs;
+}
+
+Json clocks_of(const SceneView& scene)
+{
+    Json clocks = Json::array();
+    for (ClockCursor cursor = scene.clocks(); !cursor.at_end();) {
+        const Clock clock = cursor.next();
+        Json facts{{"delay", in_frames(clock.delay)},
+                   {"speed", static_cast<double>(clock.speed) / Clock::normal_speed},
+                   {"loop", loop_name(clock.loop)},
+                   {"keys", keys_of(scene, Driver::of_clock(clocks.size()))}};
+        if (clock.length != Time{})
+            facts["frames"] = in_frames(clock.length);
+        if (clock.driver.is_clock())
+            facts["clock"] = clock.driver.index();
+        clocks.push_back(std::move(facts));
+    }
+    return clocks;
 }
 
 Json clips_of(const SceneView& scene)
@@ -160,6 +178,7 @@ Json facts(const InfoOptions& options, const SceneFile& scene)
         {"keys", keys_of(scene.view)},
         {"features", feature_names(scene.view.needed_features())},
         {"inputs", input_facts(scene.view)},
+        {"clocks", clocks_of(scene.view)},
         {"clips", clips_of(scene.view)},
         {"events", events_of(scene.view)},
         {"memory",
@@ -220,6 +239,17 @@ void print_input(const Json& input)
               << '\n';
 }
 
+void print_clock(std::size_t index, const Json& clock)
+{
+    std::cout << "  clock       " << index << ": ";
+    if (clock.contains("clock"))
+        std::cout << "of clock " << clock["clock"] << ", ";
+    std::cout << "after " << clock["delay"] << " frames, speed " << clock["speed"];
+    if (clock.contains("frames"))
+        std::cout << ", " << clock["frames"] << " frames, " << clock["loop"].get<std::string>();
+    std::cout << "; keys " << key_text(clock["keys"], ", at ") << '\n';
+}
+
 void print_clip(const Json& clip)
 {
     std::cout << "  clip        " << visible(clip["name"].get<std::string>()) << ": frames "
@@ -276,6 +306,8 @@ void print_scene_facts(const Json& facts, const SceneView& scene)
               << "  memory      " << facts["memory"]["bytes"] << " bytes for a panel of "
               << size_text(facts["memory"]) << detail_text(facts["memory"]) << '\n';
     std::ranges::for_each(facts["inputs"], print_input);
+    for (std::size_t i = 0; i < facts["clocks"].size(); ++i)
+        print_clock(i, facts["clocks"][i]);
     std::ranges::for_each(facts["clips"], print_clip);
     std::ranges::for_each(facts["events"], print_event);
     if (facts.contains("tracks"))

@@ -152,7 +152,7 @@ private:
     void look_at(const scene::Key& key, const scene::Key& next, const Pair<scene::SectorStroke>& sectors,
                  const SegmentPairs& stroke)
     {
-        for (const Time time : moments_between(key.time, next.time, object_.driver.is_time())) {
+        for (const Time time : moments_between(key.time, next.time, !object_.driver.is_input())) {
             const ProgressXY progress = progress_between(key.time, next.time, time, key.laws, &kfast_springs);
             const Sector sector = interpolated(sectors.a.sector, sectors.b.sector, progress);
             const double radius = std::max(sector.radius_x, sector.radius_y);
@@ -190,9 +190,11 @@ std::string value_text(const scene::Input& input, Time time)
 /// "frame 51" or, of an object that an input moves, "level=12.5".
 std::string moment_text(const scene::Scene& scene, Driver driver, Time time)
 {
+    if (driver.is_clock())
+        return "frame " + rounded_text(in_frames(time)) + " of its own time";
     if (driver.is_time())
         return "frame " + rounded_text(in_frames(time));
-    const scene::Input& input = scene.inputs[driver.input - 1U];
+    const scene::Input& input = scene.inputs[driver.index()];
     return input.name + '=' + value_text(input, time);
 }
 

@@ -59,7 +59,7 @@ std::optional<std::vector<std::byte>> write_scene(const scene::Scene& scene, Dia
 
     ByteWriter body;
     const Sections sections{.inputs = !scene.inputs.empty(),
-                            .marks = !scene.clips.empty() || !scene.events.empty(),
+                            .marks = !scene.clocks.empty() || !scene.clips.empty() || !scene.events.empty(),
                             .bones = !scene.bones.empty(),
                             .symbols = !scene.symbols.empty()};
     write_header(scene, sections, body);

@@ -5,6 +5,7 @@
 #include "core/scene/input_view.hpp"
 #include "core/scene/property.hpp"
 #include "core/scene/skeleton_view.hpp"
+#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "core/time/velocity_law.hpp"
 #include "host/geometry/drawing.hpp"
@@ -197,6 +198,9 @@ struct Group {
 /// A symbol as if its items were here.
 struct Use {
     std::size_t symbol = 0; ///< index into Scene::symbols
+    /// While the scene is read, what the keys of the symbol go by; then they go by it themselves.
+    Driver inner = {};
+    int colour_step = 0; ///< while it is read, the steps of its colours along the palette
 };
 
 /// Something that is painted; `tracks` has each property at most once, in the order of their values.
@@ -264,6 +268,7 @@ struct Scene {
     std::vector<Colour> palette; ///< the colours in use, each once; the first is the background
     std::vector<Input> inputs;
     std::vector<Bones> bones;
+    std::vector<Clock> clocks; ///< each goes by the time of the scene or by one before it
     std::vector<Symbol> symbols;
     std::vector<Item> items; ///< the first is the lowest
     std::vector<Clip> clips;

@@ -6,6 +6,7 @@
 #include "host/scene/items/item_reader.hpp"
 #include "host/scene/items/object_properties.hpp"
 #include "host/scene/items/object_reader.hpp"
+#include "host/scene/items/symbol_instances.hpp"
 #include "host/scene/items/symbol_reader.hpp"
 #include "host/scene/items/symbol_use.hpp"
 #include "host/scene/shapes/shape_reader.hpp"
@@ -231,7 +232,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     take_skeletons(scene, context);
     if (!diagnostics.has_errors()) { // else what uses them may not have been read
         warn_of_unused_variables(context);
-        move_symbols(scene, context);
+        add_symbol_instances(scene, context);
     }
     if (diagnostics.has_errors())
         return std::nullopt;

@@ -82,15 +82,12 @@ std::string colour_text(Colour colour)
 
 InputView input_of(const SceneView& scene, Driver driver)
 {
-    InputCursor inputs = scene.inputs();
-    for (int before = 1; before < driver.input; ++before)
-        inputs.next();
-    return inputs.next();
+    return scene.input(static_cast<std::uint32_t>(driver.index()));
 }
 
 double written_moment(const SceneView& scene, Driver driver, Time moment)
 {
-    if (driver.is_time())
+    if (!driver.is_input())
         return in_frames(moment);
     const InputView input = input_of(scene, driver);
     const double share = static_cast<double>(moment.ticks) / whole_input.ticks;

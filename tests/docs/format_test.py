@@ -42,6 +42,8 @@ SENTENCES = [
     ("Texts", "the most characters that it has, 1 … {max_text}"),
     ("Texts", "number of glyphs, n, 1 … {max_glyphs}"),
     ("Drawings from outside", "may be told, 1 … {max_live_points}"),
+    ("Marks", "number of clocks, at most {max_clocks}"),
+    ("Clocks", "-{max_time} … {max_time} ticks"),
     ("Key times", "t + s at most {max_time_bits}"),
     ("Key times", "number of laws, 0 … {max_law_width}"),
     ("Values", "For u = {degree_unit} numbers are degrees"),

@@ -89,17 +89,28 @@ private:
 
     void at_marks()
     {
+        for (ClockCursor clocks = scene_.clocks(); !clocks.at_end();)
+            at_clock(clocks.next());
         for (ClipCursor clips = scene_.clips(); !clips.at_end();)
             see("Marks: clip", clips.next().loop);
         for (EventCursor events = scene_.events(); !events.at_end(); events.next())
             see("Marks: event", 0);
     }
 
+    void at_clock(const Clock& clock)
+    {
+        see("Clocks: reads", clock.driver.is_clock());
+        see("Clocks: at its end", clock.loop);
+        see("Clocks: length", clock.length != Time{});
+        see("Clocks: speed", clock.speed < 0);
+    }
+
     void at_key_times(KeyTimeCursor key_times)
     {
         if (key_times.count() == 0)
             return;
-        see("Key times: go by", !key_times.driver().is_time());
+        const Driver driver = key_times.driver();
+        see("Key times: go by", driver.is_time() ? 0 : driver.is_input() ? 1 : 2);
         see("Key times: number", key_times.count() > 1);
         while (!key_times.at_end())
             at_laws(key_times.next().laws);

@@ -6,9 +6,23 @@
 /// A scene as a whole.
 namespace kfast {
 
+namespace {
+
+/// Whether its numbers are what the format allows.
+bool is_valid(const Clock& clock)
+{
+    const bool is_endless = clock.length == Time{};
+    return clock.loop <= Loop::ping_pong && clock.delay.ticks >= -kfb::max_time &&
+           clock.delay.ticks <= kfb::max_time && clock.speed >= -Clock::max_speed &&
+           clock.speed <= Clock::max_speed && clock.length.ticks <= kfb::max_time &&
+           (!is_endless || (clock.loop == Loop::once && clock.speed > 0));
+}
+
+}
+
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && check_inputs() && check_clips() && check_events() &&
+    return check_header() && check_laws() && check_inputs() && check_clocks() && check_clips() && check_events() &&
            check_bones() && check_symbols() && check_whole();
 }
 
@@ -54,6 +68,19 @@ bool SceneCheck::check_laws()
             holds_[number / 32] |= 1U << number % 32;
     }
     return true;
+}
+
+bool SceneCheck::check_clocks() const
+{
+    std::uint32_t index = 0;
+    for (ClockCursor clocks = scene_.clocks(); !clocks.at_end(); ++index) {
+        const Clock clock = clocks.next();
+        const Driver driver = clock.driver;
+        if (clocks.rest().overrun() || !(driver.is_time() || (driver.is_clock() && driver.index() < index)) ||
+            !is_valid(clock))
+            return false;
+    }
+    return index <= kfb::max_clocks;
 }
 
 bool SceneCheck::check_clips() const

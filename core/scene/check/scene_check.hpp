@@ -42,13 +42,12 @@ private:
     std::uint32_t left_;
 };
 
-/// Whether a scene may have a key at this time, whose inputs are numbers where `numbers` has their bit.
-constexpr bool is_key_moment(Driver driver, Time time, std::uint32_t numbers)
+/// Whether the scene may have a key at this time.
+inline bool is_key_moment(const SceneView& scene, Driver driver, Time time)
 {
-    if (driver.is_time())
-        return time.ticks <= kfb::max_time;
-    return driver.input <= kfb::max_inputs && (numbers >> (driver.input - 1U) & 1U) != 0 &&
-           time <= whole_input;
+    if (driver.is_input())
+        return (scene.number_inputs() >> driver.index() & 1U) != 0 && time <= whole_input;
+    return time.ticks <= kfb::max_time && (driver.is_time() || driver.index() < scene.clock_count());
 }
 
 /// Checks everything that can be wrong within the sections of a scene, and counts what it needs.
@@ -112,6 +111,7 @@ private:
     bool check_header() const;
     bool check_laws();
     bool check_inputs();
+    bool check_clocks() const;
     bool check_clips() const;
     bool check_events() const;
     bool check_bones();
@@ -141,7 +141,7 @@ private:
     bool check_points(std::uint32_t offset, CheckedDrawing& checked);
     bool check_drawings(const ObjectView& object, const Key& key, std::uint32_t bones);
     bool check_deformer(const ObjectView& object);
-    bool is_moment(Driver driver, Time time) const;
+    bool is_moment(Driver driver, Time time) const { return is_key_moment(scene_, driver, time); }
     bool is_law(std::uint32_t number) const { return number <= scene_.law_count_; }
 
     SceneView& scene_;

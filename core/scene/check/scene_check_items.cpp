@@ -226,11 +226,6 @@ bool SceneCheck::check_trim(const ItemView& item, const TrackView& track)
            (track.property != Property::trim_mode || track.is_fixed);
 }
 
-bool SceneCheck::is_moment(Driver driver, Time time) const
-{
-    return is_key_moment(driver, time, scene_.number_inputs());
-}
-
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const
 {
     const ValueRange range = value_range(track.property);

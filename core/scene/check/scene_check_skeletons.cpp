@@ -25,8 +25,8 @@ bool is_within(std::int32_t value, ValueRange range) { return value >= range.min
 /// Checks one skeleton.
 class BoneCheck {
 public:
-    BoneCheck(const SkeletonView& bones, std::uint32_t laws, std::uint32_t numbers, ReadAllowance& allowance)
-        : bones_{bones}, laws_{laws}, numbers_{numbers}, allowance_{allowance}
+    BoneCheck(const SceneView& scene, const SkeletonView& bones, std::uint32_t laws, ReadAllowance& allowance)
+        : scene_{scene}, bones_{bones}, laws_{laws}, allowance_{allowance}
     {
     }
 
@@ -35,7 +35,7 @@ public:
 private:
     bool is_key(Driver driver, Time before, Time time, std::uint32_t laws) const
     {
-        return time > before && is_key_moment(driver, time, numbers_) && laws <= laws_;
+        return time > before && is_key_moment(scene_, driver, time) && laws <= laws_;
     }
 
     bool check_common_keys() const
@@ -94,9 +94,9 @@ private:
         return true;
     }
 
+    const SceneView& scene_;
     const SkeletonView& bones_;
     std::uint32_t laws_;
-    std::uint32_t numbers_; ///< a bit for each input that is a number
     ReadAllowance& allowance_;
 };
 
@@ -108,7 +108,7 @@ bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& 
     for (SkeletonCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
         const SkeletonView bones = cursor.next();
         if (cursor.overrun() || bones.count() == 0 ||
-            !BoneCheck{bones, laws, scene.number_inputs(), allowance}.passes())
+            !BoneCheck{scene, bones, laws, allowance}.passes())
             return false;
     }
     return skeletons <= kfb::max_bones;

@@ -78,7 +78,7 @@ Json track_facts(const SceneView& scene, const TrackView& track)
         facts["value"] = value_of(scene, track.property, track.value);
     } else {
         facts["smooth"] = track.is_smooth;
-        add_input(scene, track.keys.key_times().driver(), facts);
+        add_driver(scene, track.keys.key_times().driver(), facts);
         facts["keys"] = keys_of(scene, track);
     }
     return facts;
@@ -91,6 +91,8 @@ std::string track_text(const Json& facts)
     const std::string law = facts["smooth"].get<bool>() ? "smooth" : common_law(facts["keys"]);
     std::string text =
         facts.contains("input") ? "by " + visible(facts["input"].get<std::string>()) + ", " : "";
+    if (facts.contains("clock"))
+        text = "by clock " + std::to_string(facts["clock"].get<std::size_t>()) + ", ";
     text += law.empty() ? "" : law + ": ";
     const Json& keys = facts["keys"];
     for (std::size_t place = 0; place < std::min(keys.size(), most_listed); ++place)
@@ -98,10 +100,12 @@ std::string track_text(const Json& facts)
     return text + rest_of_list(keys.size());
 }
 
-void add_input(const SceneView& scene, Driver clock, Json& facts)
+void add_driver(const SceneView& scene, Driver driver, Json& facts)
 {
-    if (!clock.is_time())
-        facts["input"] = input_of(scene, clock).name;
+    if (driver.is_input())
+        facts["input"] = input_of(scene, driver).name;
+    if (driver.is_clock())
+        facts["clock"] = driver.index();
 }
 
 void add_name(const std::vector<std::string>& names, std::size_t place, Json& facts)

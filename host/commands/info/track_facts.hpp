@@ -24,8 +24,8 @@ nlohmann::ordered_json track_facts(const SceneView& scene, const TrackView& trac
 /// more.
 std::string track_text(const nlohmann::ordered_json& facts);
 
-/// Adds the name of the input that `clock` is, if it is one, as "input".
-void add_input(const SceneView& scene, Driver clock, nlohmann::ordered_json& facts);
+/// Adds what is no time of the scene: the name of an input as "input", or the index of a clock as "clock".
+void add_driver(const SceneView& scene, Driver driver, nlohmann::ordered_json& facts);
 /// Adds the name at that place as "name", if there is one.
 void add_name(const std::vector<std::string>& names, std::size_t place, nlohmann::ordered_json& facts);
 /// The text after the number of what has such a name: ` "torso"`; empty without one.

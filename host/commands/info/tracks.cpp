@@ -192,10 +192,10 @@ public:
     }
 
 private:
-    Json fact(Driver clock, const TrackKey& at, bool is_last) const
+    Json fact(Driver driver, const TrackKey& at, bool is_last) const
     {
         constexpr std::int32_t turn = 65536;
-        Json key{{"at", written_moment(scene_, clock, at.time)},
+        Json key{{"at", written_moment(scene_, driver, at.time)},
                  {"value", value_of(quantity_, counts_modulo_one_turn_ ? at.value & (turn - 1) : at.value)}};
         const LawPair laws = scene_.laws(at.laws);
         if (!is_last)
@@ -218,7 +218,7 @@ Json quantity_facts(const SceneView& scene, const BoneView& bone, std::size_t nu
         return facts;
     }
     facts["smooth"] = false;
-    add_input(scene, keys.keys().key_times().driver(), facts);
+    add_driver(scene, keys.keys().key_times().driver(), facts);
     facts["keys"] = QuantityFacts{scene, bone, quantity}.of(keys.keys());
     return facts;
 }

@@ -1,10 +1,13 @@
 #include "host/compiler/limits/measured_moments.hpp"
 
 #include "core/time/time.hpp"
+#include "host/walk/clock_times.hpp"
 #include "host/walk/every_item.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 
 namespace kfast {
@@ -72,6 +75,45 @@ private:
     std::vector<Time> moments_;
 };
 
+/// The moments between two that follow each other at which a clock comes to another key: the first tick of
+/// it, and the tick before.
+class ClockMoments {
+public:
+    ClockMoments(const SceneView& scene, std::size_t clock) : scene_{scene}, clock_{clock}
+    {
+        DriverMoments keys{Driver::of_clock(clock), Clock::end_of_time};
+        every_item(scene, [&keys](const ItemView& item) { keys.add_keys(item); });
+        keys_ = keys.sorted();
+    }
+
+    void add_between(const std::vector<Time>& moments, std::vector<Time>& added) const
+    {
+        for (std::size_t i = 1; i < moments.size(); ++i)
+            if (key_at(moments[i - 1]) != key_at(moments[i]))
+                add_change(moments[i - 1].ticks, moments[i].ticks, added);
+    }
+
+private:
+    std::ptrdiff_t key_at(Time time) const
+    {
+        return std::ranges::upper_bound(keys_, clock_times(scene_, time)[clock_]) - keys_.begin();
+    }
+
+    void add_change(std::int32_t before, std::int32_t after, std::vector<Time>& added) const
+    {
+        const std::ptrdiff_t key = key_at({before});
+        while (after - before > 1) {
+            const std::int32_t middle = std::midpoint(before, after);
+            (key_at({middle}) == key ? before : after) = middle;
+        }
+        added.insert(added.end(), {{before}, {after}});
+    }
+
+    const SceneView& scene_;
+    std::size_t clock_;
+    std::vector<Time> keys_;
+};
+
 std::vector<Time> moments_of(const SceneView& scene, Driver driver, Time length, std::int32_t step)
 {
     DriverMoments moments{driver, length};
@@ -83,8 +125,16 @@ std::vector<Time> moments_of(const SceneView& scene, Driver driver, Time length,
 std::vector<Time> times_of(const SceneView& scene)
 {
     const Time length = scene.length();
-    return moments_of(scene, {}, length,
-                      std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / max_even_moments));
+    std::vector<Time> times =
+        moments_of(scene, {}, length,
+                   std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / max_even_moments));
+    std::vector<Time> of_clocks;
+    for (std::size_t clock = 0; clock < scene.clock_count(); ++clock)
+        ClockMoments{scene, clock}.add_between(times, of_clocks);
+    times.insert(times.end(), of_clocks.begin(), of_clocks.end());
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
 }
 
 /// The values that the inputs of a scene may have.

@@ -89,9 +89,9 @@ void write_key_times(const DrivenKeyTimes& driven, const DrivenKeyTimes& default
     const std::uint32_t law_bits = bits_for(std::ranges::max(key_times, {}, &WrittenKeyTime::laws).laws);
     bytes.varint(static_cast<std::uint32_t>(key_times.size()));
     bytes.u16(kfb::key_times::time_width.put(time_bits) | kfb::key_times::time_shift.put(shift) |
-              kfb::key_times::law_width.put(law_bits) | kfb::key_times::has_input.put(!driver.is_time()));
+              kfb::key_times::law_width.put(law_bits) | kfb::key_times::has_driver.put(!driver.is_time()));
     if (!driver.is_time())
-        bytes.u8(driver.input);
+        bytes.u8(driver.number);
     BitWriter bits{bytes};
     for (std::size_t i = 0; i < key_times.size(); ++i) {
         bits.number(steps[i] >> shift, time_bits);

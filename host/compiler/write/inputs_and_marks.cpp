@@ -76,6 +76,15 @@ void write_inputs(const std::vector<scene::Input>& inputs, DrawingPool& drawings
 
 namespace {
 
+void write_clock(const Clock& clock, ByteWriter& bytes)
+{
+    bytes.u8(clock.driver.number);
+    bytes.u8(kfb::clock::loop.put(clock.loop));
+    bytes.signed_varint(clock.delay.ticks);
+    bytes.signed_varint(clock.speed);
+    bytes.varint(time_code(clock.length));
+}
+
 void write_clip(const scene::Clip& clip, ByteWriter& bytes)
 {
     write_name(clip.name, bytes);
@@ -88,6 +97,9 @@ void write_clip(const scene::Clip& clip, ByteWriter& bytes)
 
 void write_marks(const scene::Scene& scene, ByteWriter& bytes)
 {
+    bytes.u8(static_cast<std::uint32_t>(scene.clocks.size()));
+    for (const Clock& clock : scene.clocks)
+        write_clock(clock, bytes);
     bytes.u8(static_cast<std::uint32_t>(scene.clips.size()));
     for (const scene::Clip& clip : scene.clips)
         write_clip(clip, bytes);

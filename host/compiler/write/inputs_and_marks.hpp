@@ -22,7 +22,7 @@ inline void write_name(std::string_view name, ByteWriter& bytes)
 /// `drawings`.
 void write_inputs(const std::vector<scene::Input>& inputs, DrawingPool& drawings, ByteWriter& bytes);
 
-/// Appends the clips and events of `scene` (docs/format.md, "Marks").
+/// Appends the clocks, clips and events of `scene` (docs/format.md, "Marks").
 void write_marks(const scene::Scene& scene, ByteWriter& bytes);
 
 }

@@ -84,7 +84,7 @@ void join_scales(std::vector<Quantity>& quantities)
 {
     const auto x = std::ranges::find(quantities, "scale-x", &Quantity::name);
     const auto y = std::ranges::find(quantities, "scale-y", &Quantity::name);
-    if (x == quantities.end() || y == quantities.end() || x->driver.input != y->driver.input ||
+    if (x == quantities.end() || y == quantities.end() || x->driver != y->driver ||
         x->keys != y->keys)
         return;
     x->name = "scale";
@@ -203,7 +203,9 @@ ItemFacts::Way way_at(const SceneView& scene, const Quantity& quantity, const Sc
 {
     const auto [before, after] = keys_around(quantity, moment.at(quantity.driver));
     std::string name = quantity.name;
-    if (!quantity.driver.is_time())
+    if (quantity.driver.is_clock())
+        name += " by a time of its own";
+    else if (quantity.driver.is_input())
         name += " by " + visible(input_of(scene, quantity.driver).name);
     return {std::move(name), text_of(scene, quantity.driver, before), text_of(scene, quantity.driver, after)};
 }

@@ -16,6 +16,7 @@ inline constexpr std::size_t max_keys = 65'535;                          ///< of
 inline constexpr std::size_t max_ordered_items = kfb::max_ordered_items; ///< in one list
 inline constexpr std::size_t max_symbols = kfb::max_symbols;             ///< of items, in use
 inline constexpr std::size_t max_clips = kfb::max_clips;
+inline constexpr std::size_t max_clocks = kfb::max_clocks;               ///< times of their own
 inline constexpr std::size_t max_inputs = kfb::max_inputs;
 inline constexpr int max_live_points = kfb::max_live_points; ///< of a drawing from outside
 inline constexpr std::size_t max_backbones = kfb::max_backbones;

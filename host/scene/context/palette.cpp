@@ -51,9 +51,10 @@ std::optional<Colour> hex_colour(std::string_view text)
 std::optional<SourceSpan> Palette::declare(const std::string& name, Colour colour, SourceSpan place)
 {
     const auto [entry, fresh] = named_.try_emplace(name, Named{colour, place});
-    if (fresh)
-        return std::nullopt;
-    return entry->second.place;
+    if (!fresh)
+        return entry->second.place;
+    in_order_.push_back(colour);
+    return std::nullopt;
 }
 
 std::optional<Colour> Palette::find(const std::string& text) const
@@ -74,6 +75,22 @@ std::optional<std::size_t> Palette::use(Colour colour)
         return std::nullopt;
     used_.push_back(colour);
     return index;
+}
+
+bool Palette::use_declared()
+{
+    return std::ranges::all_of(in_order_, [this](Colour colour) { return use(colour).has_value(); });
+}
+
+std::size_t Palette::behind(std::size_t index, int steps) const
+{
+    const auto own = std::ranges::find(in_order_, used_[index]);
+    if (own == in_order_.end())
+        return index;
+    const auto count = static_cast<std::ptrdiff_t>(in_order_.size());
+    const std::ptrdiff_t place = (own - in_order_.begin() + steps) % count;
+    const Colour colour = in_order_[static_cast<std::size_t>(place < 0 ? place + count : place)];
+    return static_cast<std::size_t>(std::ranges::find(used_, colour) - used_.begin());
 }
 
 std::vector<std::string_view> Palette::declared_names() const

@@ -31,6 +31,12 @@ public:
     /// The index of the colour among those in use; nothing when max_colours are in use already.
     std::optional<std::size_t> use(Colour colour);
 
+    /// Uses all declared ones. Returns false if there would be more than max_colours in use.
+    bool use_declared();
+    /// Of the colours in use, the one that is declared `steps` behind that with this index, from the last on to
+    /// the first; itself if it is not declared. All declared ones are in use.
+    std::size_t behind(std::size_t index, int steps) const;
+
     /// All names that find() knows, the declared ones first.
     std::vector<std::string_view> names() const;
     /// The declared ones, and of the others those that were in the first version of CSS.
@@ -46,6 +52,7 @@ private:
         SourceSpan place;
     };
     std::map<std::string, Named> named_;
+    std::vector<Colour> in_order_; ///< those of named_, in the order of their declaration
     std::vector<Colour> used_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/context/palette.hpp"
@@ -15,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kfast::scene {
 
@@ -73,6 +75,8 @@ struct SceneContext {
     std::uint32_t frame_rate = 30'000; ///< frames in 1000 seconds
     std::optional<Time> length = {};   ///< if the canvas gives one
     Time last_key = {};                ///< of all that have been read
+    /// The times of their own of uses, each once; their drivers are what is around the use.
+    std::vector<Clock> clocks = {};
     InputTable inputs = {};
     SkeletonTable skeletons = {};
     SymbolTable symbols = {};

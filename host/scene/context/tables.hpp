@@ -7,10 +7,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace kfast::scene {
@@ -69,6 +71,9 @@ struct SymbolEntry {
     bool is_used = false;
     std::optional<Kind> kind;
     int depth = 0; ///< how deeply groups and uses in it are nested
+    std::optional<Time> length; ///< of its own time, if it gives one
+    std::optional<Loop> loop;   ///< likewise
+    Time last_key;              ///< the end of its keys, and of one pass of what it uses
 
     std::vector<Item> items; ///< a Use in it has the number of the entry
     std::vector<Key> keys;   ///< of a drawing: at least one
@@ -76,7 +81,8 @@ struct SymbolEntry {
     std::optional<std::vector<Outline>> still;
     std::string line_font; ///< font of a text in the drawing whose letters are lines; empty: there is none
 
-    std::optional<std::size_t> scene_index; ///< in Scene::symbols
+    /// In Scene::symbols, for each driver that its keys go by somewhere, and steps of its colours.
+    std::map<std::pair<Driver, int>, std::size_t> scene_indices;
 };
 
 /// The symbols of a scene. All are added before any is looked up.

@@ -166,6 +166,11 @@ void DrawingReader::copy(const kdl::Node& node)
             "let its use be all that an object without skin draws, or use one without keys");
         return;
     }
+    if (use->time.is_given()) {
+        context_.report.error(name, "the symbol " + in_quotes(symbol.name) + " has no keys, which a time moves",
+                              "leave out delay=, speed= and loop=");
+        return;
+    }
     if (is_wire_frame(symbol.keys)) {
         context_.report.error(name,
                               "the symbol " + in_quotes(symbol.name) + " has depth, and does not fit here",
@@ -182,9 +187,17 @@ void DrawingReader::copy(const kdl::Node& node)
     ItemValues values = use->values;
     mirror(use->mirror, values, {}, {});
     const Placement placement{values};
-    for (const Outline& outline : *symbol.still)
-        if (!add(placement.of(outline), node))
+    for (int number = 0; number < use->repeat.count.value_or(1); ++number) {
+        const auto step = use->repeat.copy(number, {});
+        if (!step) {
+            report_far_copy(node, number, context_);
             return;
+        }
+        const Placement within{*step};
+        for (const Outline& outline : *symbol.still)
+            if (!add(placement.of(within.of(outline)), node))
+                return;
+    }
 }
 
 namespace {

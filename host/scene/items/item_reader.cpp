@@ -55,6 +55,38 @@ Changes read_changes(const kdl::Node& node, const KeyDriver& driver, SceneContex
     return changes;
 }
 
+/// What the copies of a symbol are in: it has the place of the use and what changes it.
+///
+///     use dot 60 60 count=3 rotate-step=120 { key 0 rotate=0; key 9 rotate=90 }
+///
+///     group 60 60 { key 0 rotate=0; key 9 rotate=90     it has no place in the text
+///         use dot; use dot rotate=120; use dot rotate=240 }
+Group copies_of(const kdl::Node& node, const SymbolUse& use, SourceSpan place, SceneContext& context)
+{
+    Group group;
+    UseTime time = use.time;
+    const Time delay = time.delay.value_or(Time{});
+    for (int number = 0; number < *use.repeat.count; ++number) {
+        if (use.repeat.delay != Time{})
+            time.delay = delay + Time{number * use.repeat.delay.ticks};
+        const auto values = use.repeat.copy(number, use.values);
+        if (!values) {
+            report_far_copy(node, number, context);
+            return group;
+        }
+        const auto inner = own_driver(time, *use.symbol, place, context);
+        if (!inner)
+            return group;
+        take_pass(*use.symbol, *inner, context);
+        group.items.push_back({.name = "",
+                               .tracks = fixed_tracks(*values),
+                               .content = Use{context.symbols.number(*use.symbol), *inner,
+                                              number * use.repeat.colour},
+                               .place = place});
+    }
+    return group;
+}
+
 /// A symbol of items, used as an item: its Use has the number of the symbol's entry in `context.symbols`.
 /// Nothing when it cannot be used; what is wrong is reported. `depth` groups and uses are around it.
 std::optional<Item> read_use(const kdl::Node& node, int depth, SceneContext& context)
@@ -64,15 +96,20 @@ std::optional<Item> read_use(const kdl::Node& node, int depth, SceneContext& con
     if (!use)
         return std::nullopt;
     const SourceSpan place = span(node.name_span, node.arguments.front().place);
-    if (depth + 1 + use->symbol->depth > deepest_item) {
+    const bool is_repeated = use->repeat.count.has_value();
+    if (depth + (is_repeated ? 2 : 1) + use->symbol->depth > deepest_item) {
         context.report.error(place, too_deep());
         return std::nullopt;
     }
     warn_of_idle_input(node, !keys.empty(), context);
     refuse_duplicate_quantities(timed, use->values, keys, context);
     mirror(use->mirror, use->values, keys, timed);
-    auto tracks = build_tracks(node, use->values, {keys, use->driver.driver()}, timed, context);
-    return Item{"", std::move(tracks), Use{context.symbols.number(*use->symbol)}, place, take_path(timed)};
+    auto tracks = build_tracks(node, use->values, {keys, use->driver.driver(), is_repeated}, timed, context);
+    Item item{"", std::move(tracks), Use{context.symbols.number(*use->symbol), use->inner}, place,
+              take_path(timed)};
+    if (is_repeated)
+        item.content = copies_of(node, *use, place, context);
+    return item;
 }
 
 constexpr std::array names{object_name, group_name, use_name};

@@ -126,11 +126,25 @@ private:
         object.skin = read_skin(
             {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
             object.keys, context_);
+        if (object.skin)
+            take_bone_keys(*object.skin);
         object.backbone_keys = read_skeletons(content.keys, context_);
-        object.driver = properties_.driver.driver();
+        object.driver = drawing_driver();
         object.live = live_;
         refuse_two_deformers(content.keys);
+        refuse_backbones_by_clock(content.keys);
     }
+
+    /// What the bones do belongs to the time of a symbol with this object.
+    void take_bone_keys(const Skin& skin)
+    {
+        for (const Bone& bone : context_.skeletons.entries[skin.bones].bones.bones)
+            for (const std::vector<TrackKey>& keys : bone.keys)
+                if (bone.driver.is_time() && !keys.empty())
+                    context_.last_key = std::max(context_.last_key, keys.back().time);
+    }
+
+    Driver drawing_driver() const { return inner_.is_clock() ? inner_ : properties_.driver.driver(); }
 
     /// Arcs and pies that change their angles are trimmed, unless the author trims them.
     void add_trim(std::vector<Track>& tracks, Object& object) const
@@ -148,7 +162,7 @@ private:
     void set_wires(const DrawingContent& content, Object& object)
     {
         object.has_depths = true;
-        object.driver = properties_.driver.driver();
+        object.driver = drawing_driver();
         refuse_mixed_depths(object.keys, context_);
         refuse_beside_wires(node_, content, object.keys, context_);
     }
@@ -235,7 +249,7 @@ private:
     bool is_placed_symbol(const DrawingContent& content) const
     {
         return content.drawn.size() == 1 && content.drawn.front()->name == use_name &&
-               properties_.skin == nullptr;
+               !has_property(*content.drawn.front(), "count") && properties_.skin == nullptr;
     }
 
     std::vector<Key> read_still(const std::vector<const kdl::Node*>& nodes)
@@ -257,6 +271,7 @@ private:
         const auto use = read_drawing_use(node, context_);
         if (!use)
             return {};
+        inner_ = use->inner;
         for (const Property property : placed)
             take_place(node, *use, property);
         refuse_duplicates(content);
@@ -299,6 +314,16 @@ private:
                                   "remove the skin, or the skeletons from the keys");
     }
 
+    void refuse_backbones_by_clock(const std::vector<ItemKey>& keys)
+    {
+        const auto key = std::ranges::find_if(keys, has_skeleton);
+        if (key != keys.end() && inner_.is_clock())
+            context_.report.error(key->skeleton->name_span,
+                                  "the drawings of this object have a time of their own, which a skeleton does "
+                                  "not go by",
+                                  "draw the keys in the object");
+    }
+
     void report_no_drawing()
     {
         if (node_.children.empty())
@@ -314,6 +339,7 @@ private:
     SceneContext& context_;
     ObjectProperties properties_;
     std::optional<std::size_t> live_ = {}; ///< the input that is shown
+    Driver inner_ = {};                    ///< of the drawings of a symbol
 };
 
 }

@@ -48,6 +48,19 @@ int depth_of(std::span<const Item> items, const SymbolTable& symbols)
 
 constexpr NodeForm symbol_form{symbol_name, "symbol NAME { items, shapes or keys }", 1, 1, true};
 
+constexpr std::array symbol_rules{
+    PropertyRule<SymbolEntry>{"frames",
+                              [](const kdl::Value& value, SymbolEntry& symbol, SceneContext& context) {
+                                  return assign(read_own_length(value, context), symbol.length);
+                              },
+                              any_time},
+    PropertyRule<SymbolEntry>{"loop",
+                              [](const kdl::Value& value, SymbolEntry& symbol, SceneContext& context) {
+                                  return assign(read_loop(value, context), symbol.loop);
+                              },
+                              ValueKind::one_of<loops>()},
+};
+
 void report_no_item(const kdl::Node& node, SceneContext& context)
 {
     if (node.name == key_name || is_drawn(node.name))
@@ -97,15 +110,26 @@ void read_drawing(SymbolEntry& symbol, SceneContext& context)
         symbol.line_font = letters->font;
 }
 
+/// What is seen of its keys ends with its own length, if it has one; how long the scene has to be for them,
+/// its uses say.
+void read_content(SymbolEntry& symbol, SceneContext& context)
+{
+    const Time outer_key = std::exchange(context.last_key, Time{});
+    const auto outer_length = std::exchange(context.length, symbol.length ? symbol.length : context.length);
+    if (symbol.kind == SymbolEntry::Kind::items)
+        read_items(symbol, context);
+    else
+        read_drawing(symbol, context);
+    context.length = outer_length;
+    symbol.last_key = std::exchange(context.last_key, outer_key);
+}
+
 void read_symbol(SymbolEntry& symbol, SceneContext& context)
 {
     symbol.state = SymbolEntry::State::in_progress;
     context.symbols.in_progress.push_back(&symbol);
     symbol.kind = symbol_kind(symbol, context.symbols);
-    if (symbol.kind == SymbolEntry::Kind::items)
-        read_items(symbol, context);
-    else
-        read_drawing(symbol, context);
+    read_content(symbol, context);
     context.symbols.in_progress.pop_back();
     symbol.state = SymbolEntry::State::good;
     if (!symbol.node->children.empty())
@@ -146,43 +170,11 @@ bool make_ready(SymbolEntry& symbol, SourceSpan use, SceneContext& context)
     return symbol.state == SymbolEntry::State::good;
 }
 
-/// Depth first, so that each symbol comes after those that it uses.
-class SymbolMover {
-public:
-    SymbolMover(Scene& scene, SceneContext& context) : scene_{scene}, context_{context} {}
-
-    void move_used_by(std::vector<Item>& items)
-    {
-        for (Item& item : items)
-            if (Group* const group = std::get_if<Group>(&item.content))
-                move_used_by(group->items);
-            else if (Use* const use = std::get_if<Use>(&item.content))
-                use->symbol = index_of(context_.symbols.entries[use->symbol]);
-    }
-
-private:
-    std::size_t index_of(SymbolEntry& symbol)
-    {
-        if (symbol.scene_index)
-            return *symbol.scene_index;
-        move_used_by(symbol.items);
-        if (scene_.symbols.size() == max_symbols)
-            context_.report.error(symbol.place, "a scene uses at most " + std::to_string(max_symbols) +
-                                                    " symbols that hold items");
-        symbol.scene_index = scene_.symbols.size();
-        scene_.symbols.push_back({symbol.name, std::move(symbol.items)});
-        return *symbol.scene_index;
-    }
-
-    Scene& scene_;
-    SceneContext& context_;
-};
-
 }
 
 void add_symbol(const kdl::Node& node, SceneContext& context)
 {
-    if (!fits(node, symbol_form, context.report) || !refuse_properties(node, context.report))
+    if (!fits(node, symbol_form, context.report))
         return;
     const kdl::Value& value = node.arguments.front();
     const auto name = read_name(value, context.report);
@@ -192,6 +184,7 @@ void add_symbol(const kdl::Node& node, SceneContext& context)
     entry.node = &node;
     entry.name = *name;
     entry.place = span(node.name_span, value.place);
+    read_properties(node, symbol_rules, entry, context);
     if (const auto earlier = context.symbols.add(entry))
         report_duplicate("a symbol", *name, entry.place, *earlier, context.report);
 }
@@ -224,17 +217,12 @@ void check_unused_symbols(SceneContext& context)
                                    "use it, or remove it");
 }
 
-void move_symbols(Scene& scene, SceneContext& context)
-{
-    SymbolMover{scene, context}.move_used_by(scene.items);
-}
-
 std::vector<NodeSchema> symbol_schema()
 {
     std::vector<std::string_view> drawn{symbol_key_id};
     std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));
-    return {{symbol_name, symbol_form, {any_name}, {}, {item_names().begin(), item_names().end()}},
-            {symbol_name, symbol_form, {any_name}, {}, drawn}};
+    return {{symbol_name, symbol_form, {any_name}, schema_of(symbol_rules), {item_names().begin(), item_names().end()}},
+            {symbol_name, symbol_form, {any_name}, schema_of(symbol_rules), drawn}};
 }
 
 }

@@ -22,9 +22,6 @@ const SymbolEntry* find_symbol(const kdl::Value& name, SceneContext& context);
 /// Reads the symbols that have not been used, for their mistakes, and warns of them.
 void check_unused_symbols(SceneContext& context);
 
-/// Moves the symbols that the items of `scene` use into it, each after those that it uses.
-void move_symbols(Scene& scene, SceneContext& context);
-
 /// The schema of symbols of items, and of those that are drawings.
 std::vector<NodeSchema> symbol_schema();
 

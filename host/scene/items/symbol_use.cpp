@@ -30,9 +30,10 @@ bool read_mirror(const kdl::Value& value, SymbolUse& use, SceneContext& context)
 
 constexpr std::array mirror_rules{
     PropertyRule<SymbolUse>{"mirror", read_mirror, ValueKind::one_of<mirrors>()}};
-constexpr auto drawing_rules = joined(place_rules<SymbolUse>, mirror_rules);
+constexpr auto drawing_rules =
+    joined(place_rules<SymbolUse>, mirror_rules, own_time_rules<SymbolUse>, repeat_rules<SymbolUse>);
 constexpr auto items_rules =
-    joined(drawing_rules, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
+    joined(drawing_rules, item_repeat_rules<SymbolUse>, show_rules<SymbolUse>, pivot_rules<SymbolUse>,
            std::array{PropertyRule<SymbolUse>{"input", read_own_driver<SymbolUse>, any_name}});
 
 /// The position may follow the name of the symbol instead of being in properties.
@@ -81,8 +82,14 @@ std::optional<SymbolUse> read_use(const kdl::Node& node, SymbolEntry::Kind kind,
     read_place(node, use.values, context);
     const kdl::Value& name = node.arguments.front();
     use.symbol = find_symbol(name, context);
-    if (use.symbol == nullptr || !is_of_kind(kind, use, name, context))
+    if (use.symbol == nullptr || !is_of_kind(kind, use, name, context) ||
+        !has_count_for_steps(node, use.repeat, context))
         return std::nullopt;
+    const auto inner = own_driver(use.time, *use.symbol, span(node.name_span, name.place), context);
+    if (!inner)
+        return std::nullopt;
+    use.inner = *inner;
+    take_pass(*use.symbol, use.inner, context);
     return use;
 }
 

@@ -6,6 +6,8 @@
 #include "host/scene/items/key_reader.hpp"
 #include "host/scene/values/item_values.hpp"
 #include "host/scene/values/key_driver.hpp"
+#include "host/scene/values/own_time.hpp"
+#include "host/scene/values/repeat.hpp"
 #include "host/scene/values/timed_quantity.hpp"
 #include "host/schema/node_form.hpp"
 
@@ -49,6 +51,9 @@ struct SymbolUse {
     ItemValues values;
     Mirror mirror;
     KeyDriver driver; ///< of its keys; only of a symbol of items
+    UseTime time = {};
+    Repeat repeat = {};
+    Driver inner = {}; ///< what the keys of the symbol go by, see own_driver()
 };
 
 /// A symbol of items, as an item. Nothing when there is no such symbol; what is wrong is reported.

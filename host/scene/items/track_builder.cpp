@@ -97,7 +97,7 @@ std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values,
         if (!track.keys.empty())
             tracks.push_back(std::move(track));
     }
-    if (!keys.has_depths && std::ranges::none_of(tracks, needs_pivot)) {
+    if (!keys.needs_pivot && std::ranges::none_of(tracks, needs_pivot)) {
         std::erase_if(tracks, is_pivot);
         warn_of_idle_pivots(node, timed, context);
     }

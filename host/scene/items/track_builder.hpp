@@ -37,12 +37,13 @@ constexpr bool needs_pivot(const Track& track)
 struct KeysOfItem {
     std::span<const ItemKey> keys;
     Driver driver;
-    bool has_depths = false; ///< of a wire frame: its line is as wide as at the pivot, however it is rotated
+    /// It has a pivot in any case: the line of a wire frame is as wide as there, copies turn about it.
+    bool needs_pivot = false;
 };
 
 /// Tracks for all that is not the default or changes in the item `node`. `values` are those of the item
 /// itself, its pivot included; fill, stroke and width have tracks only if keys set them, the pivot only if
-/// the item rotates or scales about it, or has depths. `timed` takes precedence over `values`.
+/// the item rotates or scales about it, or needs it. `timed` takes precedence over `values`.
 std::vector<Track> build_tracks(const kdl::Node& node, const ItemValues& values, const KeysOfItem& keys,
                                 std::span<TimedQuantity> timed, SceneContext& context);
 

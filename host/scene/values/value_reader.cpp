@@ -54,20 +54,26 @@ std::string hint_of(std::string_view colour, const Palette& palette)
 
 std::int32_t thousandths(double number) { return static_cast<std::int32_t>(std::lround(number * 1000)); }
 
-std::optional<Time> read_time(const kdl::Value& value, SceneContext& context)
+std::optional<Time> read_signed_time(const kdl::Value& value, SceneContext& context)
 {
     const auto number = number_of(value, context.report);
     const auto scale = number ? ticks_per(value, context) : std::nullopt;
     if (!scale)
         return std::nullopt;
     const double ticks = *number * *scale;
-    if (ticks >= 0 && ticks <= Time::frame(max_frames).ticks)
+    if (std::abs(ticks) <= Time::frame(max_frames).ticks)
         return Time{static_cast<std::int32_t>(std::lround(ticks))};
-    if (ticks < 0)
-        context.report.error(value.place, "a time cannot be negative");
-    else
-        context.report.error(value.place, "this time is out of range",
-                             "allowed: up to " + std::to_string(max_frames) + " frames");
+    context.report.error(value.place, "this time is out of range",
+                         "allowed: up to " + std::to_string(max_frames) + " frames");
+    return std::nullopt;
+}
+
+std::optional<Time> read_time(const kdl::Value& value, SceneContext& context)
+{
+    const auto time = read_signed_time(value, context);
+    if (!time || *time >= Time{})
+        return time;
+    context.report.error(value.place, "a time cannot be negative");
     return std::nullopt;
 }
 
@@ -89,10 +95,15 @@ std::optional<std::size_t> read_colour(const kdl::Value& value, SceneContext& co
     }
     const auto index = context.palette.use(*colour);
     if (!index)
-        context.report.error(value.place, "too many colours",
-                             "a scene holds at most " + std::to_string(max_colours) +
-                                 ", background included");
+        report_too_many_colours(value.place, context);
     return index;
+}
+
+bool report_too_many_colours(SourceSpan place, SceneContext& context)
+{
+    return context.report.error(place, "too many colours",
+                                "a scene holds at most " + std::to_string(max_colours) +
+                                    ", background included");
 }
 
 void report_unknown_colour(const kdl::Value& value, std::string_view text, const Palette& palette,

@@ -36,11 +36,15 @@ std::int32_t thousandths(double number);
 
 /// Frames, or (s) or (ms) by the scene's frame rate; rounded once to 1/1024 frame, halves away from zero.
 std::optional<Time> read_time(const kdl::Value& value, SceneContext& context);
+/// The same, and it may be negative.
+std::optional<Time> read_signed_time(const kdl::Value& value, SceneContext& context);
 /// The time in frames, exactly: "60", "7.5"
 std::string text_of(Time time);
 
 /// The index among the colours in use.
 std::optional<std::size_t> read_colour(const kdl::Value& value, SceneContext& context);
+/// Returns false.
+bool report_too_many_colours(SourceSpan place, SceneContext& context);
 /// `palette` has the colours that there are.
 void report_unknown_colour(const kdl::Value& value, std::string_view text, const Palette& palette,
                            SceneContext& context);

@@ -54,7 +54,7 @@ TEST_CASE("the fields of a record do not overlap and fill it")
            header::has_marks.mask() ^ header::has_bones.mask() ^ header::has_symbols.mask() ^
            header::has_inputs.mask()) == 0xFF);
     CHECK((key_times::time_width.put(31) ^ key_times::time_shift.put(15) ^ key_times::law_width.put(63) ^
-           key_times::has_input.mask()) == 0xFFFF);
+           key_times::has_driver.mask()) == 0xFFFF);
     CHECK((item::kind.put(3) ^ item::has_tracks.mask() ^ item::is_filled.mask() ^ item::is_stroked.mask() ^
            item::is_even_odd.mask() ^ item::has_arrivals.mask() ^ item::is_carried.mask()) == 0xFF);
     CHECK((form::mix.put(3) ^ form::end.put(3) ^ form::has_sparse_ends.mask() ^

@@ -162,7 +162,7 @@ class InfoTest(CommandTest):
         self.assertEqual(facts, {
             "file": "repeat.kfast", "bytes": len(self.compiled()), "canvas": {"width": 60, "height": 40}, "fps": 30,
             "frames": 10, "pictures": 10, "seconds": 10 / 30, "loop": "repeat", "objects": 1, "wire_frames": 0, "items": 1, "symbols": 0,
-            "keys": [0, 4, 10], "features": ["tweens"], "inputs": [], "clips": [], "events": []})
+            "keys": [0, 4, 10], "features": ["tweens"], "inputs": [], "clocks": [], "clips": [], "events": []})
         self.assertEqual((memory["width"], memory["height"]), (60, 40))
 
     def test_symbols_clips_and_events(self):

@@ -79,6 +79,7 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
         {{.time = {}, .laws = soft, .value = 255}, {.time = Time::frame(10), .laws = wild, .value = 0}}};
     const scene::Item group = item(scene::Group{{use}}, {fixed(Property::rotation, 16384), fade});
     scene::Scene scene = scene_of({group, item(spot)}, {{"wheel", {item(wheel)}}});
+    scene.clocks = {{.delay = Time::frame(2)}};
     scene.clips = {{"go", Time::frame(10), {10 * 1024 + 5632}, Loop::repeat}};
     scene.events = {{"a", Time::frame(3)}, {"é", Time::frame(3)}};
 
@@ -87,7 +88,8 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
           bytes({
               2,    0x21,                                                    // accelerate, decelerate
               0x65, 3,    0,    0x00, 0x08, 0x00, 0xE0, 0x00, 0x18, 0, 0x40, // steps, bezier
-              15,   1,                                                       // marks: one clip
+              24,   1,    0,    0,    0x80, 0x20, 0x80, 0x80, 8,    0,       // marks: one clock, 2 frames late
+              1,                                                             // one clip
               2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
               6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
               1,    8,    7,                                                 // one symbol

@@ -97,7 +97,8 @@ TEST_CASE("symbols stand on the outermost level, each name once")
     CHECK(items_read("symbol " + box) ==
           "1:1 error: symbol needs more values (write symbol NAME { items, shapes or keys })");
     CHECK(items_read("symbol a x=1 " + box) ==
-          "1:10 error: symbol has no property \"x\" (nothing is allowed here)");
+          "1:1 warning: the symbol \"a\" is not used (use it, or remove it)\n"
+          "1:10 error: symbol has no property \"x\" (allowed: frames, loop)");
     CHECK(items_read("symbol \"\" " + box) == "1:8 error: a name cannot be empty");
 }
 
@@ -220,7 +221,8 @@ TEST_CASE("an object and the use that it takes do not both give a place")
                          "(put the shapes into a key: key 0 { … })"));
     CHECK(items_read("object o fill=red { use s opacity=1 }" + symbol) ==
           "1:27 error: use has no property \"opacity\" "
-          "(allowed: x, y, z, rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, mirror)");
+          "(allowed: x, y, z, rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, mirror, delay, "
+          "speed, loop, count, x-step, y-step, rotate-step, scale-step)");
 }
 
 TEST_CASE("among shapes a use is a copy, rounded once")

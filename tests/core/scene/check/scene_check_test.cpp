@@ -32,6 +32,9 @@ bool takes_marks(const Bytes& marks)
     return is_accepted(scene);
 }
 
+/// Clips and events, without a clock.
+bool takes_named(const Bytes& marks) { return takes_marks(joined({bytes({0}), marks})); }
+
 bool takes_drawings(const Bytes& drawings)
 {
     RawScene scene;
@@ -100,6 +103,47 @@ TEST_CASE("the background is opaque, and there is one")
     CHECK_FALSE(is_accepted(scene));
 }
 
+TEST_CASE("clocks go by the time or by one before them, and have numbers in their ranges")
+{
+    // Driver, loop, delay, speed, length; 2 frames after the start, at normal speed
+    const auto takes = [](const Bytes& clocks) { return takes_marks(clocks); };
+    CHECK(takes(bytes({1, 0, 0, 0x80, 0x20, 0x80, 0x80, 8, 0})));
+    CHECK_FALSE(takes(bytes({1, 0, 0, 0x80, 0x20, 0x80, 0x80, 8})));      // cut off
+    CHECK_FALSE(takes(bytes({1, 0, 1, 0x80, 0x20, 0x80, 0x80, 8, 0})));   // repeats, without an end
+    CHECK(takes(bytes({1, 0, 1, 0x80, 0x20, 0x80, 0x80, 8, 2})));
+    CHECK_FALSE(takes(bytes({1, 0, 3, 0x80, 0x20, 0x80, 0x80, 8, 2})));   // no such loop
+    CHECK_FALSE(takes(bytes({1, 0, 0, 0, 0xFF, 0xFF, 7, 0})));            // backwards, without an end
+    CHECK(takes(bytes({1, 0, 0, 0, 0xFF, 0xFF, 7, 2})));
+    CHECK(takes(bytes({1, 0, 0, 0, 0x80, 0x80, 0x80, 1, 2})));            // 16 times as fast
+    CHECK_FALSE(takes(bytes({1, 0, 0, 0, 0x82, 0x80, 0x80, 1, 2})));
+    CHECK_FALSE(takes(bytes({1, 1, 0, 0, 2, 2})));                        // by an input
+    CHECK_FALSE(takes(bytes({1, 33, 0, 0, 2, 2})));                       // by itself
+    CHECK(takes(bytes({2, 0, 0, 0, 2, 2, 33, 0, 0, 2, 2})));
+    CHECK_FALSE(takes(bytes({2, 34, 0, 0, 2, 2, 0, 0, 0, 2, 2})));        // by a later one
+    Bytes many = bytes({224});
+    for (int i = 0; i < 224; ++i)
+        many = joined({many, bytes({0, 0, 0, 2, 2})});
+    CHECK_FALSE(takes(many));
+    many[0] = std::byte{223};
+    many.resize(many.size() - 5);
+    CHECK(takes(many));
+}
+
+TEST_CASE("keys go by clocks that there are")
+{
+    RawScene scene;
+    const auto takes = [&scene](Driver driver, Time last) {
+        scene.items = tracked(1, joined({bytes({0}), track_keys({{{}, 0, 1}, {last, 0, 2}}, 0, driver)}));
+        return is_accepted(scene);
+    };
+    CHECK_FALSE(takes(Driver::of_clock(0), {9}));
+    scene.marks = bytes({1, 0, 0, 0, 2, 2});
+    CHECK(takes(Driver::of_clock(0), {9}));
+    CHECK(takes(Driver::of_clock(0), {kfb::max_time}));
+    CHECK_FALSE(takes(Driver::of_clock(0), {kfb::max_time + 1}));
+    CHECK_FALSE(takes(Driver::of_clock(1), {9}));
+}
+
 TEST_CASE("laws have a known kind and parameters in their ranges")
 {
     const auto takes_laws = [](std::uint32_t count, const Bytes& laws) {
@@ -133,7 +177,7 @@ TEST_CASE("laws have a known kind and parameters in their ranges")
 
 TEST_CASE("clips have a name and lie within the scene")
 {
-    const auto takes_clip = [](const Bytes& clip) { return takes_marks(joined({bytes({1}), clip})); };
+    const auto takes_clip = [](const Bytes& clip) { return takes_named(joined({bytes({1}), clip})); };
     CHECK(takes_clip(bytes({1, 'a', 0, 20, 2})));
     CHECK(takes_clip(bytes({1, 'a', 18, 2, 0})));
     CHECK(takes_clip(bytes({1, 'a', 18, 3, 0}))); // one tick
@@ -144,19 +188,20 @@ TEST_CASE("clips have a name and lie within the scene")
     CHECK_FALSE(takes_clip(bytes({1, 'a', 22, 0xFF, 0xFF, 0xFF, 0xFF, 0x0F, 0})));
     CHECK_FALSE(takes_clip(bytes({1, 'a', 0, 20, 3})));
     CHECK_FALSE(takes_clip(bytes({1, 'a', 0, 20}))); // the loop is missing
-    CHECK_FALSE(takes_marks(bytes({2, 1, 'a', 0, 20, 0})));
+    CHECK_FALSE(takes_named(bytes({2, 1, 'a', 0, 20, 0})));
 }
 
 TEST_CASE("events have a name and come within the scene")
 {
     CHECK(takes_marks({}));
     CHECK(takes_marks(bytes({0})));
-    CHECK(takes_marks(bytes({0, 20, 1, 'a', 0, 1, 'b'})));
-    CHECK_FALSE(takes_marks(bytes({0, 22, 1, 'a'})));
-    CHECK_FALSE(takes_marks(bytes({0, 20, 1, 'a', 3, 1, 'b'}))); // one tick later
-    CHECK_FALSE(takes_marks(bytes({0, 2, 0})));
-    CHECK_FALSE(takes_marks(bytes({0, 2, 2, 'a'})));
-    CHECK_FALSE(takes_marks(bytes({0, 2})));
+    CHECK(takes_named(bytes({0})));
+    CHECK(takes_named(bytes({0, 20, 1, 'a', 0, 1, 'b'})));
+    CHECK_FALSE(takes_named(bytes({0, 22, 1, 'a'})));
+    CHECK_FALSE(takes_named(bytes({0, 20, 1, 'a', 3, 1, 'b'}))); // one tick later
+    CHECK_FALSE(takes_named(bytes({0, 2, 0})));
+    CHECK_FALSE(takes_named(bytes({0, 2, 2, 'a'})));
+    CHECK_FALSE(takes_named(bytes({0, 2})));
 }
 
 TEST_CASE("items have no bits without a meaning")
