@@ -120,7 +120,8 @@ public:
     /// outlive this.
     PreparedScene(const SceneView& scene, std::span<std::byte> memory);
 
-    /// `moment` has the time and the inputs. `changed_inputs` has a bit for each input that is no number and was given a new value.
+    /// `moment` has the time and the inputs. `changed_inputs` has a bit for each input that is no number and
+    /// was given a new value.
     void move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs);
     /// What the clocks of the scene show.
     std::span<const Time> clocks() const { return clocks_; }

@@ -175,7 +175,7 @@ art::Document read_document(const Json& root, art::Losses& losses)
     document.frame_rate = animation.frame_rate;
     document.frames = std::max(1.0, animation.frames);
     document.camera = read_camera(animation);
-    const Reading reading{animation.budget, losses, {-animation.first, 1}, "", 0};
+    const Reading reading{animation.budget, losses, {.start = -animation.first}, "", 0};
     document.nodes =
         read_composition({array_at(root, "layers"), nullptr, {0, document.frames}}, animation, reading);
     document.markers = read_markers(animation);

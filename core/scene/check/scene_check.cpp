@@ -22,8 +22,8 @@ bool is_valid(const Clock& clock)
 
 bool SceneCheck::passes()
 {
-    return check_header() && check_laws() && check_inputs() && check_clocks() && check_clips() && check_events() &&
-           check_bones() && check_symbols() && check_whole();
+    return check_header() && check_laws() && check_inputs() && check_clocks() && check_clips() &&
+           check_events() && check_bones() && check_symbols() && check_whole();
 }
 
 /// Whether the program has the feature.

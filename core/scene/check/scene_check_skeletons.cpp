@@ -107,8 +107,7 @@ bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& 
     std::uint32_t skeletons = 0;
     for (SkeletonCursor cursor = scene.skeletons(); !cursor.at_end(); ++skeletons) {
         const SkeletonView bones = cursor.next();
-        if (cursor.overrun() || bones.count() == 0 ||
-            !BoneCheck{scene, bones, laws, allowance}.passes())
+        if (cursor.overrun() || bones.count() == 0 || !BoneCheck{scene, bones, laws, allowance}.passes())
             return false;
     }
     return skeletons <= kfb::max_bones;

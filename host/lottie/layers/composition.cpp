@@ -244,7 +244,9 @@ private:
 std::vector<art::Node> read_composition(const Composition& composition, Animation& animation,
                                         const Reading& reading)
 {
-    return CompositionReader{composition, animation, reading}.nodes();
+    Reading seen = reading;
+    seen.time.seen = composition.seen;
+    return CompositionReader{composition, animation, seen}.nodes();
 }
 
 std::size_t weight(const Around* around)

@@ -55,7 +55,7 @@ LayerTime stretched(const Layer& layer)
     const double start = number_at(layer.json, "st", 0);
     if (stretch == 0)
         throw WrongMember(layer.json, "\"sr\" is 0: 1 is the usual stretch");
-    const LayerTime time{outer.scene_frame(start), outer.stretch * stretch};
+    const LayerTime time{.start = outer.scene_frame(start), .stretch = outer.stretch * stretch};
     if (!(std::abs(time.stretch) >= 1 / largest_stretch && std::abs(time.stretch) <= largest_stretch))
         throw WrongMember(layer.json, "\"sr\" is too far from 1, with those of the layers around it");
     return time;
@@ -70,7 +70,7 @@ std::optional<LayerTime> even_time(const std::vector<TimePiece>& pieces)
     const double stretch = (piece.to - piece.from) / (piece.end - piece.begin);
     if (std::abs(stretch) > largest_stretch)
         return std::nullopt;
-    return LayerTime{piece.from - stretch * piece.begin, stretch};
+    return LayerTime{.start = piece.from - stretch * piece.begin, .stretch = stretch};
 }
 
 /// All frames of the composition that are shown; never empty.
@@ -114,7 +114,7 @@ std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Ani
         return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *even));
     const Around unknown;
     std::vector<art::Node> nodes =
-        read_composition({layers, &unknown, range_of(pieces)}, animation, inner_reading(layer, {0, 1}));
+        read_composition({layers, &unknown, range_of(pieces)}, animation, inner_reading(layer, {}));
     retime(nodes, pieces, outer.budget);
     return nodes;
 }

@@ -1,5 +1,6 @@
 #include "host/lottie/layers/unread.hpp"
 
+#include "host/lottie/values/loops.hpp"
 #include "host/text/characters.hpp"
 
 #include <array>
@@ -90,7 +91,7 @@ void report_slot(const Json& part, const std::string& path, const Animation& ani
 bool is_expression(const Json& part)
 {
     const Json* const text = find_member(part, "x");
-    return text && text->is_string() && part.contains("k");
+    return text && text->is_string() && part.contains("k") && !read_loop(part);
 }
 
 }

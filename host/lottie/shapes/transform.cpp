@@ -228,9 +228,9 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
 }
 
 /// Nothing if it has no extent.
-std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys, const Reading& reading,
-                                                bool turns)
+std::optional<art::MotionPath> read_motion_path(const Property& position, const Reading& reading, bool turns)
 {
+    const std::vector<FileKey>& keys = position.keys;
     GrowingPath path{spot_of(keys.front().begin)};
     std::vector<Way<double>> ways = grow_along(path, keys);
     if (path.length() == 0)
@@ -242,6 +242,8 @@ std::optional<art::MotionPath> read_motion_path(const std::vector<FileKey>& keys
     reading.budget.take_keys(keys.size());
     reading.budget.take_points(path.outline().curves.size() + 1);
     place_in_scene(ways, reading.time);
+    if (position.loop)
+        repeat_ways(ways, *position.loop, reading.time, reading.budget);
     return art::MotionPath{{{path.outline()}}, joined(ways), turns};
 }
 
@@ -265,7 +267,7 @@ void read_position(art::Transform& transform, const Json& owner, const Reading& 
     }
     const Property property = read_property(owner, "p");
     if (property.keys.size() > 1 && (turns || is_bent(property.keys)))
-        transform.path = read_motion_path(property.keys, reading, turns);
+        transform.path = read_motion_path(property, reading, turns);
     if (transform.path)
         return;
     transform.x = read_channel(owner, "p", 0, 0, 1, reading.time, reading.budget);

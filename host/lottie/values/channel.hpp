@@ -16,7 +16,8 @@ using Json = nlohmann::json;
 /// Converts the times of a layer, or of a precomposition, to frames of the scene: start and stretch.
 struct LayerTime {
     double start = 0;
-    double stretch = 1; ///< not 0
+    double stretch = 1;  ///< not 0
+    art::Span seen = {}; ///< what is seen of it, in frames of the scene: so far loops go on
     double scene_frame(double frame) const { return start + stretch * frame; }
 };
 

@@ -81,7 +81,7 @@ void add_ways(std::vector<Way<Value>>& ways, const art::Animated<Value>& animate
     auto stretched =
         ways_within(animated, std::min(piece.begin, piece.end), std::max(piece.begin, piece.end));
     const double slope = (piece.to - piece.from) / (piece.end - piece.begin);
-    place_in_scene(stretched, {piece.from - slope * piece.begin, slope});
+    place_in_scene(stretched, {.start = piece.from - slope * piece.begin, .stretch = slope});
     ways.insert(ways.end(), stretched.begin(), stretched.end());
 }
 

@@ -54,10 +54,10 @@ Property read_property(const Json& owner, const char* name)
     if (!values || (values->is_array() && values->empty()))
         return {};
     if (has_keys(*values))
-        return {nullptr, read_keys(*values)};
+        return {nullptr, read_keys(*values), read_loop(*property)};
     if (values == property && property->is_object() && !property->contains("v"))
         throw WrongMember(*property, "\"k\" is missing: a property needs a value");
-    return {values, {}};
+    return {values, {}, {}};
 }
 
 art::Ease read_ease(const FileKey& key, std::size_t index)

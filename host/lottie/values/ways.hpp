@@ -4,6 +4,7 @@
 #include "host/art/animation/ease.hpp"
 #include "host/art/budget.hpp"
 #include "host/lottie/values/channel.hpp"
+#include "host/lottie/values/loops.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -26,6 +27,7 @@ struct FileKey {
 struct Property {
     const Json* value = nullptr; ///< if it is still; null if it is missing
     std::vector<FileKey> keys;   ///< if it is animated; their times do not fall
+    std::optional<PropertyLoop> loop = {};
 };
 
 /// Throws WrongMember.
@@ -121,6 +123,8 @@ std::optional<art::Animated<Value>> read_animated(const Property& property, std:
     budget.take_keys(property.keys.size());
     auto ways = read_ways<Value>(property.keys, index, value_of);
     place_in_scene(ways, time);
+    if (property.loop)
+        repeat_ways(ways, *property.loop, time, budget);
     return joined(ways);
 }
 

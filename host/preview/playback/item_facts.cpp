@@ -84,8 +84,7 @@ void join_scales(std::vector<Quantity>& quantities)
 {
     const auto x = std::ranges::find(quantities, "scale-x", &Quantity::name);
     const auto y = std::ranges::find(quantities, "scale-y", &Quantity::name);
-    if (x == quantities.end() || y == quantities.end() || x->driver != y->driver ||
-        x->keys != y->keys)
+    if (x == quantities.end() || y == quantities.end() || x->driver != y->driver || x->keys != y->keys)
         return;
     x->name = "scale";
     quantities.erase(y);

@@ -33,8 +33,8 @@ public:
 
     /// Uses all declared ones. Returns false if there would be more than max_colours in use.
     bool use_declared();
-    /// Of the colours in use, the one that is declared `steps` behind that with this index, from the last on to
-    /// the first; itself if it is not declared. All declared ones are in use.
+    /// Of the colours in use, the one that is declared `steps` behind that with this index, from the last on
+    /// to the first; itself if it is not declared. All declared ones are in use.
     std::size_t behind(std::size_t index, int steps) const;
 
     /// All names that find() knows, the declared ones first.

@@ -70,7 +70,7 @@ struct SymbolEntry {
     State state = State::unread;
     bool is_used = false;
     std::optional<Kind> kind;
-    int depth = 0; ///< how deeply groups and uses in it are nested
+    int depth = 0;              ///< how deeply groups and uses in it are nested
     std::optional<Time> length; ///< of its own time, if it gives one
     std::optional<Loop> loop;   ///< likewise
     Time last_key;              ///< the end of its keys, and of one pass of what it uses

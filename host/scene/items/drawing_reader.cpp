@@ -167,7 +167,8 @@ void DrawingReader::copy(const kdl::Node& node)
         return;
     }
     if (use->time.is_given()) {
-        context_.report.error(name, "the symbol " + in_quotes(symbol.name) + " has no keys, which a time moves",
+        context_.report.error(name,
+                              "the symbol " + in_quotes(symbol.name) + " has no keys, which a time moves",
                               "leave out delay=, speed= and loop=");
         return;
     }

@@ -78,11 +78,11 @@ Group copies_of(const kdl::Node& node, const SymbolUse& use, SourceSpan place, S
         if (!inner)
             return group;
         take_pass(*use.symbol, *inner, context);
-        group.items.push_back({.name = "",
-                               .tracks = fixed_tracks(*values),
-                               .content = Use{context.symbols.number(*use.symbol), *inner,
-                                              number * use.repeat.colour},
-                               .place = place});
+        group.items.push_back(
+            {.name = "",
+             .tracks = fixed_tracks(*values),
+             .content = Use{context.symbols.number(*use.symbol), *inner, number * use.repeat.colour},
+             .place = place});
     }
     return group;
 }

@@ -318,10 +318,11 @@ private:
     {
         const auto key = std::ranges::find_if(keys, has_skeleton);
         if (key != keys.end() && inner_.is_clock())
-            context_.report.error(key->skeleton->name_span,
-                                  "the drawings of this object have a time of their own, which a skeleton does "
-                                  "not go by",
-                                  "draw the keys in the object");
+            context_.report.error(
+                key->skeleton->name_span,
+                "the drawings of this object have a time of their own, which a skeleton does "
+                "not go by",
+                "draw the keys in the object");
     }
 
     void report_no_drawing()

@@ -16,7 +16,7 @@ namespace {
 
 /// What is around an item that it takes over.
 struct Around {
-    Driver driver; ///< of keys that name none
+    Driver driver;   ///< of keys that name none
     int colours = 0; ///< the steps of its colours along the palette
 };
 
@@ -87,7 +87,8 @@ private:
             context_.report.error(
                 symbol.place,
                 "a scene uses at most " + std::to_string(max_symbols) + " symbols that hold items",
-                symbol.scene_indices.empty() ? "" : "each other time, and each step of colours, counts as one");
+                symbol.scene_indices.empty() ? ""
+                                             : "each other time, and each step of colours, counts as one");
         const std::size_t index = scene_.symbols.size();
         scene_.symbols.push_back({symbol.name, std::move(items)});
         return symbol.scene_indices[key] = index;
@@ -132,7 +133,8 @@ private:
 
     static bool is_moved_by_time(const Bone& bone)
     {
-        return bone.driver.is_time() && std::ranges::any_of(bone.keys, [](const auto& keys) { return keys.size() > 1; });
+        return bone.driver.is_time() &&
+               std::ranges::any_of(bone.keys, [](const auto& keys) { return keys.size() > 1; });
     }
 
     void check_bones(const Bones& copy)

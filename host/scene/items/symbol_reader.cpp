@@ -221,7 +221,11 @@ std::vector<NodeSchema> symbol_schema()
 {
     std::vector<std::string_view> drawn{symbol_key_id};
     std::ranges::copy(drawn_ids(drawn_names()), std::back_inserter(drawn));
-    return {{symbol_name, symbol_form, {any_name}, schema_of(symbol_rules), {item_names().begin(), item_names().end()}},
+    return {{symbol_name,
+             symbol_form,
+             {any_name},
+             schema_of(symbol_rules),
+             {item_names().begin(), item_names().end()}},
             {symbol_name, symbol_form, {any_name}, schema_of(symbol_rules), drawn}};
 }
 

@@ -53,9 +53,9 @@ std::optional<Clock> clock_of(const UseTime& time, const SymbolEntry& symbol, So
     clock.length = symbol.last_key;
     if (clock.length != Time{})
         return clock;
-    context.report.error(place, "the symbol " + in_quotes(symbol.name) +
-                                    " has no length: it has no key after its beginning",
-                         "give it one with frames=…");
+    context.report.error(
+        place, "the symbol " + in_quotes(symbol.name) + " has no length: it has no key after its beginning",
+        "give it one with frames=…");
     return std::nullopt;
 }
 
@@ -97,7 +97,8 @@ void take_pass(const SymbolEntry& symbol, Driver driver, SceneContext& context)
         end = clock.delay.ticks + (length * Clock::normal_speed + speed - 1) / speed;
     }
     const std::int64_t latest = std::min<std::int64_t>(end, kfb::max_time);
-    context.last_key = std::max(context.last_key, Time{static_cast<std::int32_t>(std::max(latest, std::int64_t{0}))});
+    context.last_key =
+        std::max(context.last_key, Time{static_cast<std::int32_t>(std::max(latest, std::int64_t{0}))});
 }
 
 }

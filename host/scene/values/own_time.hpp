@@ -14,7 +14,7 @@ namespace kfast::scene {
 
 /// When and how fast the use of a symbol runs, as far as it says so.
 struct UseTime {
-    std::optional<Time> delay; ///< may be negative: then it has already begun
+    std::optional<Time> delay;         ///< may be negative: then it has already begun
     std::optional<std::int32_t> speed; ///< Clock::speed, not 0
     std::optional<Loop> loop;
 
@@ -29,24 +29,21 @@ inline constexpr Range speeds{-16, 16};
 /// The rules of something that has a UseTime, its `time`.
 template <class Target>
 inline constexpr std::array own_time_rules{
-    PropertyRule<Target>{
-        "delay",
-        [](const kdl::Value& value, Target& target, SceneContext& context) {
-            return read_delay(value, target.time, context);
-        },
-        any_time},
-    PropertyRule<Target>{
-        "speed",
-        [](const kdl::Value& value, Target& target, SceneContext& context) {
-            return read_speed(value, target.time, context);
-        },
-        ValueKind::number(speeds)},
-    PropertyRule<Target>{
-        "loop",
-        [](const kdl::Value& value, Target& target, SceneContext& context) {
-            return assign(read_loop(value, context), target.time.loop);
-        },
-        ValueKind::one_of<loops>()},
+    PropertyRule<Target>{"delay",
+                         [](const kdl::Value& value, Target& target, SceneContext& context) {
+                             return read_delay(value, target.time, context);
+                         },
+                         any_time},
+    PropertyRule<Target>{"speed",
+                         [](const kdl::Value& value, Target& target, SceneContext& context) {
+                             return read_speed(value, target.time, context);
+                         },
+                         ValueKind::number(speeds)},
+    PropertyRule<Target>{"loop",
+                         [](const kdl::Value& value, Target& target, SceneContext& context) {
+                             return assign(read_loop(value, context), target.time.loop);
+                         },
+                         ValueKind::one_of<loops>()},
 };
 
 /// Reads the length of a symbol, at least one tick.

@@ -26,7 +26,9 @@ double reference(const Clock& clock, std::int32_t time)
     const double run = std::floor(waited * clock.speed / Clock::normal_speed);
     const double length = clock.length.ticks;
     const double place = clock.speed < 0 ? length + run : run;
-    const auto modulo = [](double value, double period) { return value - period * std::floor(value / period); };
+    const auto modulo = [](double value, double period) {
+        return value - period * std::floor(value / period);
+    };
     if (clock.loop == Loop::once)
         return std::clamp(place, 0.0, length);
     if (clock.loop == Loop::repeat)
@@ -73,7 +75,8 @@ TEST_CASE("a clock runs at its speed, backwards from its end")
 TEST_CASE("a clock without an end goes on, within what a time holds")
 {
     CHECK(Clock{.speed = 2 * Clock::normal_speed}.at({3000}) == Time{6000});
-    CHECK(Clock{.delay = {-kfb::max_time}, .speed = Clock::max_speed}.at({kfb::max_time}) == Clock::end_of_time);
+    CHECK(Clock{.delay = {-kfb::max_time}, .speed = Clock::max_speed}.at({kfb::max_time}) ==
+          Clock::end_of_time);
 }
 
 TEST_CASE("clocks of all kinds show what their definition says")

@@ -88,20 +88,20 @@ TEST_CASE("laws, marks, symbols, groups, uses, tracks and styles, byte by byte")
           bytes({
               2,    0x21,                                                    // accelerate, decelerate
               0x65, 3,    0,    0x00, 0x08, 0x00, 0xE0, 0x00, 0x18, 0, 0x40, // steps, bezier
-              24,   1,    0,    0,    0x80, 0x20, 0x80, 0x80, 8,    0,       // marks: one clock, 2 frames late
-              1,                                                             // one clip
-              2,    'g',  'o',  20,   0x81, 0x58, 1,                         // from frame 10, 5632 ticks long
-              6,    1,    'a',  0,    2,    0xC3, 0xA9,                      // events
-              1,    8,    7,                                                 // one symbol
-              0x10, 1,    40,   1,    32,   0,    0,                         //
-              31,                                                            // items
-              0x05, 2,    0x85, 0x80, 0x80, 2,                               // group: a quarter turn,
-              11,   2,    0x63, 3,    0x1A, 8,    0,    0xFF, 0,             // opacity from 255 to 0
-              6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,                         // the use, mirrored
-              0x28, 0,    2,    1,    4,    0x50, 3,    12,   0x1C, // even-odd; 1 tick to the second key
-              1,    20,   22,   0,    1,    0,                      // the single point
-              1,    0,    0,    0,    2,    2,    0x40,             // the line
-              0,                                                    // the empty drawing
+              24,   1,    0,    0,    0x80, 0x20, 0x80, 0x80, 8,    0, // marks: one clock, 2 frames late
+              1,                                                       // one clip
+              2,    'g',  'o',  20,   0x81, 0x58, 1,                   // from frame 10, 5632 ticks long
+              6,    1,    'a',  0,    2,    0xC3, 0xA9,                // events
+              1,    8,    7,                                           // one symbol
+              0x10, 1,    40,   1,    32,   0,    0,                   //
+              31,                                                      // items
+              0x05, 2,    0x85, 0x80, 0x80, 2,                         // group: a quarter turn,
+              11,   2,    0x63, 3,    0x1A, 8,    0,    0xFF, 0,       // opacity from 255 to 0
+              6,    0x06, 1,    0x86, 0xFF, 0x7F, 0,                   // the use, mirrored
+              0x28, 0,    2,    1,    4,    0x50, 3,    12,   0x1C,    // even-odd; 1 tick to the second key
+              1,    20,   22,   0,    1,    0,                         // the single point
+              1,    0,    0,    0,    2,    2,    0x40,                // the line
+              0,                                                       // the empty drawing
           }));
 }
 

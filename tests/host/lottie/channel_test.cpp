@@ -2,7 +2,9 @@
 
 #include "host/lottie/values/json.hpp"
 
+#include <cmath>
 #include <doctest/doctest.h>
+#include <string>
 
 using namespace kfast;
 using namespace kfast::lottie;
@@ -24,6 +26,38 @@ art::Animated<art::Drawing> path(const char* text)
     return read_path(owner, "ks", {}, budget);
 }
 
+}
+
+TEST_CASE("a loop repeats the keys as long as the layer is seen")
+{
+    const auto looped = [](const std::string& expression, const LayerTime& time) {
+        return channel(
+            (R"({"p": {"k": [{"t": 10, "s": [0]}, {"t": 20, "s": [8]}, {"t": 30, "s": [4], "h": 1}], "x": ")" +
+             expression + "\"}}")
+                .c_str(),
+            0, time);
+    };
+    const LayerTime seen{.seen = {0, 95}};
+    const art::Channel cycle = looped("var $bm_rt;\\n$bm_rt = loopOut('cycle', 0);", seen);
+    for (double time = 10; time < 95; time += 0.75) {
+        CAPTURE(time);
+        CHECK(cycle.at(time) == doctest::Approx(cycle.at(10 + std::fmod(time - 10, 20))).epsilon(0.01));
+    }
+    CHECK(cycle.at(5) == 0);
+    const art::Channel there_and_back = looped("loopOut(\\\"pingpong\\\")", seen);
+    CHECK(there_and_back.at(35) == 6);
+    CHECK(there_and_back.at(45) == 4);
+    CHECK(there_and_back.at(55) == 4);
+    const art::Channel last = looped("$bm_rt = loopOut('cycle', 1);", seen);
+    CHECK(last.at(35) == 6);
+    CHECK(last.at(65) == 6);
+    const art::Channel before = looped("loopIn()", {.seen = {-35, 40}});
+    CHECK(before.at(-5) == 4);
+    CHECK(before.at(-25) == 4);
+    CHECK(before.at(60) == 4);
+    CHECK(looped("loopOut('offset')", seen).keys.size() == 3);
+    CHECK(looped("loopOut()", {}).keys.size() == 3); // it is not known how long it is seen
+    CHECK(looped("loopIn()", {.start = 100, .stretch = -1, .seen = {0, 200}}).at(115) == 6);
 }
 
 TEST_CASE("a property that is missing or empty is as usual")

@@ -14,7 +14,8 @@ std::string clock_text(const Clock& clock)
     std::ostringstream out;
     if (clock.driver.is_clock())
         out << 'c' << clock.driver.index() << ' ';
-    out << clock.delay.ticks / 1024.0 << " x" << static_cast<double>(clock.speed) / Clock::normal_speed << ' ';
+    out << clock.delay.ticks / 1024.0 << " x" << static_cast<double>(clock.speed) / Clock::normal_speed
+        << ' ';
     out << (clock.loop == Loop::once ? "once" : clock.loop == Loop::repeat ? "repeat" : "ping-pong");
     if (clock.length != Time{})
         out << ' ' << clock.length.ticks / 1024.0;
@@ -40,7 +41,10 @@ std::string clocks_read(const std::string& text)
     return all + findings;
 }
 
-double length_read(const std::string& text) { return read_on_canvas(text).scene.value().length.ticks / 1024.0; }
+double length_read(const std::string& text)
+{
+    return read_on_canvas(text).scene.value().length.ticks / 1024.0;
+}
 
 }
 
@@ -58,7 +62,8 @@ TEST_CASE("symbols have a length of their own, after which they repeat")
     CHECK(clocks_read("use s\nsymbol s frames=20" + spin) == "0 x1 repeat 20\ns by 0\n");
     CHECK(clocks_read("use s loop=once\nsymbol s frames=20" + spin) == "0 x1 once 20\ns by 0\n");
     CHECK(clocks_read("use s\nsymbol s loop=ping-pong" + spin) == "0 x1 ping-pong 8\ns by 0\n");
-    CHECK(clocks_read("use s loop=repeat\nsymbol s frames=(s)1 loop=once" + spin) == "0 x1 repeat 30\ns by 0\n");
+    CHECK(clocks_read("use s loop=repeat\nsymbol s frames=(s)1 loop=once" + spin) ==
+          "0 x1 repeat 30\ns by 0\n");
 }
 
 TEST_CASE("a symbol is stored once for each time that it goes by")
@@ -71,8 +76,8 @@ TEST_CASE("a symbol is stored once for each time that it goes by")
 
 TEST_CASE("an object goes by the time of the drawing that it uses, its own keys by that of the scene")
 {
-    const auto [scene, findings] =
-        read_on_canvas("object o fill=red { use m 4 4 loop=repeat; key 0 opacity=0; key 9 opacity=1 }\nsymbol m" + morph);
+    const auto [scene, findings] = read_on_canvas(
+        "object o fill=red { use m 4 4 loop=repeat; key 0 opacity=0; key 9 opacity=1 }\nsymbol m" + morph);
     CAPTURE(findings);
     REQUIRE(scene);
     CHECK(object_at(*scene).driver == Driver::of_clock(0));
@@ -93,7 +98,8 @@ TEST_CASE("a scene without frames lasts for one pass of what it uses")
 TEST_CASE("keys beyond the length of their symbol are warned of, not those beyond the scene's")
 {
     CHECK(read("kfast 1\ncanvas 9 9 frames=4\nuse s\nsymbol s frames=20" + spin).findings.empty());
-    CHECK(read("kfast 1\ncanvas 9 9 frames=40\nuse s\nsymbol s frames=6 { object o fill=red { rect 0 0 2 2; key 0 x=0;"
+    CHECK(read("kfast 1\ncanvas 9 9 frames=40\nuse s\nsymbol s frames=6 { object o fill=red { rect 0 0 2 2; "
+               "key 0 x=0;"
                " key 7 x=1; key 8 x=9 } }")
               .findings.find("the scene ends before anything of this key is seen") != std::string::npos);
 }
@@ -109,11 +115,13 @@ TEST_CASE("what is wrong with a time of its own is told")
           "3:13 error: this time is out of range (allowed: up to 1000000 frames)");
     CHECK(clocks_read("use s loop=twice" + symbol).starts_with("3:12 error: unknown value"));
     CHECK(clocks_read("use s loop=repeat\nsymbol s { object o fill=red { rect 0 0 2 2 } }") ==
-          "3:1 error: the symbol \"s\" has no length: it has no key after its beginning (give it one with frames=…)");
+          "3:1 error: the symbol \"s\" has no length: it has no key after its beginning (give it one with "
+          "frames=…)");
     CHECK(clocks_read("use s\nsymbol s frames=0" + spin)
               .starts_with("4:17 error: a symbol with a time of its own cannot have the length 0"));
-    CHECK(clocks_read("object o fill=red { use d delay=1; circle 5 5 r=2 }\nsymbol d { rect 0 0 2 2 }") ==
-          "3:25 error: the symbol \"d\" has no keys, which a time moves (leave out delay=, speed= and loop=)");
+    CHECK(
+        clocks_read("object o fill=red { use d delay=1; circle 5 5 r=2 }\nsymbol d { rect 0 0 2 2 }") ==
+        "3:25 error: the symbol \"d\" has no keys, which a time moves (leave out delay=, speed= and loop=)");
 }
 
 TEST_CASE("there are at most 223 different times of their own")
@@ -125,8 +133,9 @@ TEST_CASE("there are at most 223 different times of their own")
         return read_on_canvas(text).findings;
     };
     CHECK(uses(223).empty());
-    CHECK(uses(224) == "227:1 error: a scene holds at most 223 different times of their own (let uses have the "
-                       "same delay, speed and loop)");
+    CHECK(uses(224) ==
+          "227:1 error: a scene holds at most 223 different times of their own (let uses have the "
+          "same delay, speed and loop)");
 }
 
 }

@@ -22,8 +22,9 @@ TEST_CASE("a use with a count is a group of copies, each a step further")
 
 TEST_CASE("opacities add up within 0 and 1")
 {
-    CHECK(items_read("use dot count=4 opacity=0.5 opacity-step=-0.4" + dot) ==
-          "group opacity[128]\n  use dot\n  use dot opacity[153]\n  use dot opacity[51]\n  use dot opacity[0]");
+    CHECK(
+        items_read("use dot count=4 opacity=0.5 opacity-step=-0.4" + dot) ==
+        "group opacity[128]\n  use dot\n  use dot opacity[153]\n  use dot opacity[51]\n  use dot opacity[0]");
 }
 
 TEST_CASE("copies turn about the pivot of their use, whose keys move them all")
@@ -56,8 +57,8 @@ TEST_CASE("copies go along the palette, and what it does not name stays")
 
 TEST_CASE("copies with a step of delay have a time each, in a scene long enough for the last")
 {
-    const auto [scene, findings] =
-        read_on_canvas("use s count=3 delay=1 delay-step=4\nsymbol s { object o fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }");
+    const auto [scene, findings] = read_on_canvas("use s count=3 delay=1 delay-step=4\nsymbol s { object o "
+                                                  "fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }");
     CAPTURE(findings);
     REQUIRE(scene);
     REQUIRE(scene->clocks.size() == 3);
@@ -68,25 +69,33 @@ TEST_CASE("copies with a step of delay have a time each, in a scene long enough 
 
 TEST_CASE("among shapes, copies are strokes of one drawing")
 {
-    CHECK(drawn("use tick 10 10 count=2 rotate-step=90 }" + tick + "\nobject p fill=red { rect 0 0 1 1").starts_with("M 10 6 L 10 8 M 14 10 L 12 10"));
-    CHECK(drawn("use tick 10 10 count=3 scale-step=2 x-step=1 }" + tick + "\nobject p fill=red { rect 0 0 1 1").starts_with("M 10 6 L 10 8 M 11 2 L 11 6 M 12 -6 L 12 2"));
+    CHECK(drawn("use tick 10 10 count=2 rotate-step=90 }" + tick + "\nobject p fill=red { rect 0 0 1 1")
+              .starts_with("M 10 6 L 10 8 M 14 10 L 12 10"));
+    CHECK(
+        drawn("use tick 10 10 count=3 scale-step=2 x-step=1 }" + tick + "\nobject p fill=red { rect 0 0 1 1")
+            .starts_with("M 10 6 L 10 8 M 11 2 L 11 6 M 12 -6 L 12 2"));
 }
 
 TEST_CASE("what is wrong with copies is told")
 {
     CHECK(items_read("use dot x-step=1" + dot) ==
           "1:9 error: x-step is that from one copy to the next, and there is one (add count=…)");
-    CHECK(items_read("use dot count=0" + dot).starts_with("1:15 error: this number is out of range (allowed: 1 to 1000)"));
+    CHECK(items_read("use dot count=0" + dot)
+              .starts_with("1:15 error: this number is out of range (allowed: 1 to 1000)"));
     CHECK(items_read("use dot count=3 x-step=1500" + dot) ==
           "1:9 error: the copy with the number 3 is more than 2047 px away, or more than 64 times as large "
           "(take smaller steps, or fewer copies)");
-    CHECK(items_read("use dot count=9 scale-step=2" + dot).starts_with("1:9 error: the copy with the number 8 is"));
+    CHECK(items_read("use dot count=9 scale-step=2" + dot)
+              .starts_with("1:9 error: the copy with the number 8 is"));
     CHECK(items_read("use dot count=2 colour-step=1" + dot)
               .starts_with("1:29 error: these are steps along the palette, and this scene has none"));
-    CHECK(items_read("object o fill=red { use tick count=2 opacity-step=-0.1 }" + tick).find("use has no property \"opacity-step\"") !=
-          std::string::npos);
-    CHECK(drawn("use tick count=1000 rotate-step=0.3; circle 5 5 r=2 }" + tick + "\nobject p fill=red { rect 0 0 1 1").find("error") == std::string::npos);
-    std::string many = "symbol s { object o fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }\nuse s count=300 delay-step=1";
+    CHECK(items_read("object o fill=red { use tick count=2 opacity-step=-0.1 }" + tick)
+              .find("use has no property \"opacity-step\"") != std::string::npos);
+    CHECK(drawn("use tick count=1000 rotate-step=0.3; circle 5 5 r=2 }" + tick +
+                "\nobject p fill=red { rect 0 0 1 1")
+              .find("error") == std::string::npos);
+    std::string many =
+        "symbol s { object o fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }\nuse s count=300 delay-step=1";
     CHECK(items_read(many).starts_with("2:1 error: a scene holds at most 223 different times of their own"));
 }
 

@@ -60,6 +60,9 @@ TEST_CASE("a property of objects at a shape is sent there")
     CHECK(in_object("", "circle 9 9 r=3 stroke-width=2") ==
           "3:39 error: circle has no property \"stroke-width\" (objects have it: object NAME width=…)");
     CHECK(calls(in_object("", "star 9 9 r=3 rotate=9"), "turn"));
+    CHECK(calls(read_on_canvas("repeat 8 { }").findings, "use"));
+    CHECK(calls(read_on_canvas("use s stagger=2\nsymbol s { object p fill=red { rect 0 0 1 1 } }").findings,
+                "delay-step"));
 }
 
 TEST_CASE("what there is not is said with the page that has another way")
@@ -70,7 +73,6 @@ TEST_CASE("what there is not is said with the page that has another way")
     CHECK(refers_to_absent(in_object("", "key 0 law=step-start { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
                            "jumps at the beginning"));
     CHECK(refers_to_absent(read_on_canvas("image \"a.png\"").findings, "images"));
-    CHECK(refers_to_absent(read_on_canvas("repeat 8 { }").findings, "repetitions"));
     CHECK(refers_to_absent(read_on_canvas("state idle { }").findings, "states"));
     CHECK(hint_of_absent("circle") == "");
 }

@@ -108,18 +108,18 @@ TEST_CASE("clocks go by the time or by one before them, and have numbers in thei
     // Driver, loop, delay, speed, length; 2 frames after the start, at normal speed
     const auto takes = [](const Bytes& clocks) { return takes_marks(clocks); };
     CHECK(takes(bytes({1, 0, 0, 0x80, 0x20, 0x80, 0x80, 8, 0})));
-    CHECK_FALSE(takes(bytes({1, 0, 0, 0x80, 0x20, 0x80, 0x80, 8})));      // cut off
-    CHECK_FALSE(takes(bytes({1, 0, 1, 0x80, 0x20, 0x80, 0x80, 8, 0})));   // repeats, without an end
+    CHECK_FALSE(takes(bytes({1, 0, 0, 0x80, 0x20, 0x80, 0x80, 8})));    // cut off
+    CHECK_FALSE(takes(bytes({1, 0, 1, 0x80, 0x20, 0x80, 0x80, 8, 0}))); // repeats, without an end
     CHECK(takes(bytes({1, 0, 1, 0x80, 0x20, 0x80, 0x80, 8, 2})));
-    CHECK_FALSE(takes(bytes({1, 0, 3, 0x80, 0x20, 0x80, 0x80, 8, 2})));   // no such loop
-    CHECK_FALSE(takes(bytes({1, 0, 0, 0, 0xFF, 0xFF, 7, 0})));            // backwards, without an end
+    CHECK_FALSE(takes(bytes({1, 0, 3, 0x80, 0x20, 0x80, 0x80, 8, 2}))); // no such loop
+    CHECK_FALSE(takes(bytes({1, 0, 0, 0, 0xFF, 0xFF, 7, 0})));          // backwards, without an end
     CHECK(takes(bytes({1, 0, 0, 0, 0xFF, 0xFF, 7, 2})));
-    CHECK(takes(bytes({1, 0, 0, 0, 0x80, 0x80, 0x80, 1, 2})));            // 16 times as fast
+    CHECK(takes(bytes({1, 0, 0, 0, 0x80, 0x80, 0x80, 1, 2}))); // 16 times as fast
     CHECK_FALSE(takes(bytes({1, 0, 0, 0, 0x82, 0x80, 0x80, 1, 2})));
-    CHECK_FALSE(takes(bytes({1, 1, 0, 0, 2, 2})));                        // by an input
-    CHECK_FALSE(takes(bytes({1, 33, 0, 0, 2, 2})));                       // by itself
+    CHECK_FALSE(takes(bytes({1, 1, 0, 0, 2, 2})));  // by an input
+    CHECK_FALSE(takes(bytes({1, 33, 0, 0, 2, 2}))); // by itself
     CHECK(takes(bytes({2, 0, 0, 0, 2, 2, 33, 0, 0, 2, 2})));
-    CHECK_FALSE(takes(bytes({2, 34, 0, 0, 2, 2, 0, 0, 0, 2, 2})));        // by a later one
+    CHECK_FALSE(takes(bytes({2, 34, 0, 0, 2, 2, 0, 0, 0, 2, 2}))); // by a later one
     Bytes many = bytes({224});
     for (int i = 0; i < 224; ++i)
         many = joined({many, bytes({0, 0, 0, 2, 2})});
