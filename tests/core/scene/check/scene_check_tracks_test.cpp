@@ -45,14 +45,14 @@ bool takes_stroked_track(const Bytes& track)
 
 }
 
-TEST_CASE("tracks rise by their properties, of which there are twenty-one")
+TEST_CASE("tracks rise by their properties, of which there are twenty-nine")
 {
     const Bytes x = bytes({0x80, 2});
     const Bytes y = bytes({0x81, 2});
     CHECK(takes_tracks(2, joined({x, y})));
     CHECK_FALSE(takes_tracks(2, joined({y, x})));
     CHECK_FALSE(takes_tracks(2, joined({x, x})));
-    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 21, 2})));
+    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 29, 2})));
     CHECK_FALSE(takes_tracks(1, bytes({0xFF, 2})));
     CHECK_FALSE(takes_tracks(3, joined({x, y})));
 }
@@ -184,13 +184,13 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
         const auto property = static_cast<Property>(number);
         if (property == Property::along)
             continue; // has a path
-        const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}});
+        const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}});
         CAPTURE(number);
+        const bool is_mode = property == Property::trim_mode || property == Property::max_dashes;
         const bool is_amount = property < Property::order || property == Property::width ||
-                               (is_of_trim(property) && property != Property::trim_mode);
+                               (cuts_strokes(property) && !is_mode);
         CHECK(takes_stroked_track(smooth) == is_amount);
-        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}})) ==
-              (property != Property::trim_mode));
+        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}})) == !is_mode);
         CHECK_FALSE(takes_stroked_track(bytes({0xC0 | number, 2})));
     }
     SUBCASE("keys of smooth tracks rise in time and have values in their ranges")
