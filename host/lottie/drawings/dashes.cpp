@@ -163,6 +163,8 @@ bool are_of_scenes(const Dashes& dashes, const MovingDrawing& drawing)
 {
     constexpr double most = 800; // of the 1024 of an object, as lengths are rounded
     const std::size_t count = dashes.lengths.size();
+    if (count == 0)
+        return true;
     return (count % 2 == 0 ? count : 2 * count) <= kfast::Dashes::max_lengths &&
            max_at_moments(with_moments_of(drawing, dashes), dashes) <= most;
 }

@@ -207,7 +207,7 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
     }
 }
 
-TEST_CASE("what is drawn in part is an object, by shares within its length")
+TEST_CASE("what is drawn in part or dashed is an object, by shares and lengths within their ranges")
 {
     const auto takes = [](Property property, std::int32_t value) {
         return takes_stroked_track(fixed_track(property, value));
@@ -222,6 +222,18 @@ TEST_CASE("what is drawn in part is an object, by shares within its length")
     CHECK_FALSE(takes(Property::trim_offset, 1'048'577));
     CHECK(takes(Property::trim_mode, 2));
     CHECK_FALSE(takes(Property::trim_mode, 3));
+    for (const Property length : {Property::dash_1, Property::gap_1, Property::gap_3}) {
+        CHECK(takes(length, 0));
+        CHECK(takes(length, 1'048'576));
+        CHECK_FALSE(takes(length, -1));
+        CHECK_FALSE(takes(length, 1'048'577));
+    }
+    CHECK(takes(Property::dash_offset, -1'048'576));
+    CHECK_FALSE(takes(Property::dash_offset, 1'048'577));
+    CHECK(takes(Property::max_dashes, 1024));
+    CHECK_FALSE(takes(Property::max_dashes, 1025));
+    CHECK_FALSE(takes(Property::max_dashes, 0));
+    CHECK_FALSE(takes_tracks(1, fixed_track(Property::dash_1, 64))); // not stroked
     const Bytes half = fixed_track(Property::trim_to, 32768);
     CHECK_FALSE(takes_items(joined({bytes({0x05, 1}), half, block({})}))); // a group
     RawScene scene;
