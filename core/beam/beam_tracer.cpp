@@ -104,9 +104,8 @@ void BeamTracer::add_lines(SceneWalk& walk, const BeamStyle& beam, Trace trace)
         trimmer.run([&](StrokeTrimmer& pieces) { trace(Affine{}, pieces); });
     };
     if (beam.has_hatching())
-        add_hatching(walk, beam, [&](const Affine& placement, auto& pen) {
-            trace_cut(trim.of_fill(), placement, pen);
-        });
+        add_hatching(walk, beam,
+                     [&](const Affine& placement, auto& pen) { trace_cut(trim.of_fill(), placement, pen); });
     if (!beam.has_outline())
         return;
     const bool is_stroked = walk.node().style.is_stroked;

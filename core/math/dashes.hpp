@@ -13,11 +13,12 @@ struct Dashes {
     std::array<std::uint32_t, max_lengths> lengths{}; ///< of dashes and gaps alternately, in 1/4096 px
     std::uint32_t count = 0;                          ///< of the lengths; even. 0: strokes are not dashed
     std::uint32_t period = 0;                         ///< the sum of the lengths
-    std::uint32_t offset = 0;                         ///< into the pattern, where strokes begin; below the period
-    std::uint32_t max = 0; ///< dashes in an object; beyond them its strokes are drawn whole
+    std::uint32_t offset = 0; ///< into the pattern, where strokes begin; below the period
+    std::uint32_t max = 0;    ///< dashes in an object; beyond them its strokes are drawn whole
 
-    /// In 1/16384 px: a track has 1/64 px. A length below 0 is 0; without any length there are no dashes. With
-    /// dots, a dash without length is a short one, so that caps know its direction; else it is not drawn.
+    /// In 1/16384 px: a track has 1/64 px. A length below 0 is 0; without any length there are no dashes.
+    /// With dots, a dash without length is a short one, so that caps know its direction; else it is not
+    /// drawn.
     [[gnu::cold]] static Dashes of(std::span<const std::int32_t> lengths, std::int32_t offset, bool has_dots);
 
     /// A place in the pattern: which length it is in, and how far from its end.

@@ -173,8 +173,8 @@ void StrokeTrimmer::look_at_ends(bool reaches_both_ends)
     const std::size_t last = window_count_ == 2 ? 1 : 0;
     const std::uint32_t end = pattern_begins_[last] + (windows_[last].end - windows_[last].begin);
     is_whole_ = is_whole_ && dash_.is_dash() && dash_.left >= measured().length;
-    crosses_seam_ = reaches_both_ends && measured().is_closed && dash_.is_dash() &&
-                    trim_.dashes.is_drawn_before(end);
+    crosses_seam_ =
+        reaches_both_ends && measured().is_closed && dash_.is_dash() && trim_.dashes.is_drawn_before(end);
 }
 
 /// Looks for what is drawn next of the current stroke.
@@ -278,10 +278,8 @@ void StrokeTrimmer::cut(const Segment& segment)
             const std::uint32_t left = (is_drawing_ ? part_.end : part_.begin) - position_;
             if (is_drawing_ ? left > chord : left >= chord)
                 break;
-            const Fraction at =
-                share_of_whole(chords, left == 0 ? Fraction{} : Fraction::ratio(left, chord));
-            const std::uint32_t tip =
-                segment.kind == Segment::Kind::cubic ? share_of_tip(chord, pieces) : 0;
+            const Fraction at = share_of_whole(chords, left == 0 ? Fraction{} : Fraction::ratio(left, chord));
+            const std::uint32_t tip = segment.kind == Segment::Kind::cubic ? share_of_tip(chord, pieces) : 0;
             if (is_drawing_) {
                 go_on(segment, begin, at, tip);
                 end_piece();

@@ -18,8 +18,8 @@ enum class TrimMode : std::uint8_t {
     sector,   ///< the curves of each stroke, which is a pie: lines from its centre lead to what is left
 };
 
-/// How much of the length of strokes is drawn: from `begin` on, and past the end again from the beginning. What
-/// is left is dashed, its pattern beginning where it does.
+/// How much of the length of strokes is drawn: from `begin` on, and past the end again from the beginning.
+/// What is left is dashed, its pattern beginning where it does.
 struct Trim {
     static constexpr std::uint32_t whole = 1U << 24; ///< all of the length
 
@@ -89,9 +89,9 @@ private:
     int (*pieces_of_)(void*, const Segment&) = nullptr;
 };
 
-/// Cuts the strokes of one object where a trim and its dashes say, by their length in the object's own space. It takes
-/// them as an outline does (PosedStrokes::trace()), several times: the length of a stroke must be known
-/// before its first piece.
+/// Cuts the strokes of one object where a trim and its dashes say, by their length in the object's own space.
+/// It takes them as an outline does (PosedStrokes::trace()), several times: the length of a stroke must be
+/// known before its first piece.
 ///
 ///     measure all    for TrimMode::together: the length of all strokes
 ///     measure        the lengths of the next 16 strokes       \  again and again, until
@@ -182,7 +182,7 @@ private:
     std::uint32_t window_count_ = 0;
     std::uint32_t window_ = 0;    ///< the current one
     Window part_;                 ///< what is drawn now or next: a window, or a dash of it
-    std::uint32_t position_ = 0; ///< the length of what has been read
+    std::uint32_t position_ = 0;  ///< the length of what has been read
     std::uint32_t begin_tip_ = 0; ///< not yet drawn
     bool is_whole_ = false;       ///< it is passed on as it is
     bool crosses_seam_ = false;
@@ -191,8 +191,8 @@ private:
     bool is_dashed_ = false;
     Dashes::Place dash_; ///< behind the part
     std::uint32_t dash_begin_ = 0;
-    Point start_;                  ///< of the stroke: the centre of a sector
-    Point curve_start_;            ///< of a sector
+    Point start_;       ///< of the stroke: the centre of a sector
+    Point curve_start_; ///< of a sector
     Point curve_end_;
     Point piece_start_; ///< placed, as the next two
     Point last_;

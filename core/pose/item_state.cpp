@@ -256,7 +256,8 @@ Dashes ItemState::dashes() const
         const auto property = static_cast<Property>(track.property);
         if (!is_dash_length(property))
             continue;
-        const auto index = static_cast<std::size_t>(track.property) - static_cast<std::size_t>(Property::dash_1);
+        const auto index =
+            static_cast<std::size_t>(track.property) - static_cast<std::size_t>(Property::dash_1);
         lengths[index] = prepared_.fine_value(scene_, track);
         count = index + 1;
     }

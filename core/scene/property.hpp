@@ -36,8 +36,8 @@ enum class Property : std::uint8_t {
     trim_to,
     trim_offset,
     trim_mode, ///< a TrimMode; does not tween
-    // How the strokes of an object are dashed, in 1/64 px. Only of objects and live items that are stroked and no
-    // wire frames. The pattern has the lengths up to the last one that has a track.
+    // How the strokes of an object are dashed, in 1/64 px. Only of objects and live items that are stroked
+    // and no wire frames. The pattern has the lengths up to the last one that has a track.
     dash_offset, ///< where in the pattern strokes begin
     dash_1,
     gap_1,
@@ -90,7 +90,8 @@ inline constexpr std::int32_t usual_max_dashes = 64;
 constexpr bool may_be_smooth(Property property)
 {
     return property != Property::order && property != Property::visible && property != Property::fill &&
-           property != Property::stroke && property != Property::trim_mode && property != Property::max_dashes;
+           property != Property::stroke && property != Property::trim_mode &&
+           property != Property::max_dashes;
 }
 
 /// Whether it tweens by the law for y; all others by that for x.

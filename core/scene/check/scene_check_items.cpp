@@ -138,7 +138,8 @@ bool SceneCheck::check_leaf(const ItemView& item, std::uint32_t seen)
         return false;
     add_cost(cost_of_leaf(item.object.style, points_, instructions_per_point(item)), seen);
     if (item.is_cut())
-        add_cost(cost_of_trim(item.object.style, points_, strokes_) + cost_of_dashes(item.max_dashes()), seen);
+        add_cost(cost_of_trim(item.object.style, points_, strokes_) + cost_of_dashes(item.max_dashes()),
+                 seen);
     return true;
 }
 

@@ -111,7 +111,8 @@ std::int32_t limit_for(double dashes, const Object& object)
     if (object.live || object.label)
         return most_dashes;
     const bool is_carried = object.skin || !object.backbone_keys.empty();
-    return static_cast<std::int32_t>(std::min<double>(std::ceil((is_carried ? 2 : 1.25) * dashes), most_dashes));
+    return static_cast<std::int32_t>(
+        std::min<double>(std::ceil((is_carried ? 2 : 1.25) * dashes), most_dashes));
 }
 
 }
@@ -155,8 +156,7 @@ void add_max_dashes(std::vector<Track>& tracks, const Object& object, SourceSpan
                              "make dashes and gaps longer, or divide the object");
     const std::int32_t limit = limit_for(dashes, object);
     if (limit > usual_max_dashes)
-        tracks.push_back(
-            {Property::max_dashes, {TrackKey{.time = {}, .laws = {}, .value = limit}}});
+        tracks.push_back({Property::max_dashes, {TrackKey{.time = {}, .laws = {}, .value = limit}}});
 }
 
 }

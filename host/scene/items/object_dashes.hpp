@@ -17,6 +17,7 @@ void make_dashes_alike(const kdl::Node& object, ItemValues& values, std::vector<
 
 /// Adds to the tracks of an object that is dashed how many dashes it has at most. Reports if there are more
 /// than a player draws. `place` is that of the object.
-void add_max_dashes(std::vector<Track>& tracks, const Object& object, SourceSpan place, SceneContext& context);
+void add_max_dashes(std::vector<Track>& tracks, const Object& object, SourceSpan place,
+                    SceneContext& context);
 
 }

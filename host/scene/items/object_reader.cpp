@@ -36,10 +36,8 @@ struct Painted {
 };
 
 constexpr std::array painted{
-    Painted{Property::fill, "fill"},
-    Painted{Property::stroke, "stroke"},
-    Painted{Property::width, "stroke"},
-    Painted{Property::dash_offset, "stroke"},
+    Painted{Property::fill, "fill"},     Painted{Property::stroke, "stroke"},
+    Painted{Property::width, "stroke"},  Painted{Property::dash_offset, "stroke"},
     Painted{Property::dash_1, "stroke"},
 };
 
@@ -138,8 +136,8 @@ private:
         refuse_two_deformers(content.keys);
     }
 
-    /// Arcs and pies that change their angles are trimmed, unless the author trims them. The lines of dashed pies
-    /// have dashes, too, which their angles do not know.
+    /// Arcs and pies that change their angles are trimmed, unless the author trims them. The lines of dashed
+    /// pies have dashes, too, which their angles do not know.
     void add_trim(std::vector<Track>& tracks, Object& object) const
     {
         const auto has_track = [&tracks](auto is_wanted) {

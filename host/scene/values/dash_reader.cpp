@@ -21,20 +21,35 @@ Property length_at(std::size_t index)
     return static_cast<Property>(static_cast<std::size_t>(Property::dash_1) + index);
 }
 
+constexpr std::string_view separators = " \t,";
+
+/// Where the length that begins there ends: at the next separator that stands in no parentheses.
+std::size_t end_of_length(std::string_view text, std::size_t at)
+{
+    for (int depth = 0; at < text.size(); ++at) {
+        if (depth <= 0 && separators.find(text[at]) != separators.npos)
+            break;
+        depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+    }
+    return at;
+}
+
 /// Numbers, or expressions, with commas or spaces between them.
 std::optional<std::vector<double>> listed_lengths(const kdl::Value& value, std::string_view text,
                                                   SceneContext& context)
 {
-    constexpr std::string_view separators = " \t,";
     std::vector<double> listed;
     for (std::size_t at = text.find_first_not_of(separators); at < text.size();
          at = text.find_first_not_of(separators, at)) {
-        const auto found = schema::evaluate_front(text, at, context.variables);
+        const std::size_t end = end_of_length(text, at);
+        auto found = schema::evaluate(text.substr(at, end - at), context.variables);
+        if (found.finding)
+            found.finding->place.offset += at;
         const auto length = schema::result_of(found, value, context.report);
         if (!length)
             return std::nullopt;
         listed.push_back(*length);
-        at = found.end;
+        at = end;
     }
     return listed;
 }

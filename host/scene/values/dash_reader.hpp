@@ -8,8 +8,8 @@
 
 namespace kfast::scene {
 
-/// A number or a list of them, as in dash="8 4": lengths of dashes and gaps alternately. An odd number of them is
-/// repeated, so that there is a gap for each dash.
+/// A number or a list of them, as in dash="8 4": lengths of dashes and gaps alternately. An odd number of
+/// them is repeated, so that there is a gap for each dash.
 bool read_dash(const kdl::Value& value, ItemValues& values, SceneContext& context);
 
 template <class Target>
@@ -27,7 +27,8 @@ void repeat_dash_lengths(ItemValues& values, std::size_t count);
 template <class Target>
 inline constexpr std::array dash_rules{
     PropertyRule<Target>{"dash", read_dash<Target>, any_text},
-    PropertyRule<Target>{"dash-offset", read_own_value<Property::dash_offset>, kind_of(Property::dash_offset)},
+    PropertyRule<Target>{"dash-offset", read_own_value<Property::dash_offset>,
+                         kind_of(Property::dash_offset)},
 };
 
 }

@@ -106,8 +106,7 @@ private:
         if (losses_ != nullptr) {
             check(node);
             drop_fine_dashes(node);
-        }
-        else if (distance > widest_reach)
+        } else if (distance > widest_reach)
             go_further(node, shrink_for(distance));
     }
 

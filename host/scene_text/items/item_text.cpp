@@ -118,8 +118,8 @@ private:
     {
         std::string lengths;
         for (const art::Channel& length : shape_.stroke->dashes.lengths)
-            lengths += (lengths.empty() ? "" : " ") +
-                       decimal(on_grid(length.at(time), dash_lengths), dash_lengths);
+            lengths +=
+                (lengths.empty() ? "" : " ") + decimal(on_grid(length.at(time), dash_lengths), dash_lengths);
         return lengths;
     }
 

@@ -75,7 +75,8 @@ public:
         if (part.fill)
             add(*part.fill, area_factor * fill_area(part.drawing), opacity);
         if (part.pen)
-            add(part.pen->ink, area_factor * line_area(part.drawing, part.pen->width) * drawn_share(part.pen->dashes),
+            add(part.pen->ink,
+                area_factor * line_area(part.drawing, part.pen->width) * drawn_share(part.pen->dashes),
                 opacity);
         for (const Part& inner : part.parts)
             add(inner, area_factor, opacity);

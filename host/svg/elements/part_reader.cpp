@@ -323,9 +323,9 @@ art::Drawing PartReader::dash(pugi::xml_node element, Part& part, const Around& 
 {
     const double canvas_scale = std::sqrt(std::abs(inside.to_canvas.determinant()));
     const double scale = part.pen->keeps_width ? 1 : canvas_scale;
-    Dashes dashes = dashes_of(part.drawing, inside.style, inside.measure,
-                              number(element.attribute("pathLength").value()).value_or(0), scale, part.layer,
-                              *losses_);
+    Dashes dashes =
+        dashes_of(part.drawing, inside.style, inside.measure,
+                  number(element.attribute("pathLength").value()).value_or(0), scale, part.layer, *losses_);
     if (dashes.lengths.empty())
         return part.drawing;
     if (!is_even(inside.to_canvas) || !are_of_scenes(dashes, part.drawing))

@@ -161,9 +161,8 @@ private:
     art::Dashes dashes(const Pen& pen)
     {
         const std::size_t count = pen.dashes.lengths.size();
-        report_change("stroke-dasharray", [&](const Part& part) {
-            return part.pen.value_or(pen).dashes.lengths.size();
-        });
+        report_change("stroke-dasharray",
+                      [&](const Part& part) { return part.pen.value_or(pen).dashes.lengths.size(); });
         const auto values = [&](const auto& length) {
             std::vector<double> lengths;
             for (std::size_t i = 0; i < moments_.size(); ++i) {

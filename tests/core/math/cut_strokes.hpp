@@ -51,7 +51,7 @@ struct TestStroke {
 };
 
 inline std::vector<Piece> trimmed(const std::vector<TestStroke>& strokes, const Trim& trim,
-                           const Affine& placement = {})
+                                  const Affine& placement = {})
 {
     Pieces pieces;
     StrokeTrimmer trimmer{trim, placement, PieceSink::of(pieces)};

@@ -163,8 +163,8 @@ TEST_CASE("dashes are those of the line, still or moving")
 
 TEST_CASE("what is trimmed is dashed, too")
 {
-    const ReadShapes read = read_shapes(line + ',' + trim(R"("e": )" + even("[0]", "[100]")) +
-                                        dashed_line(dash("d", R"({"k": 20})")).substr(line.size()));
+    const ReadShapes read = read_shapes(line + trim(R"("e": )" + even("[0]", "[100]")) +
+                                        dashed_line(dash("d", R"({"k": 20})")).substr(line.size() + 2));
     REQUIRE(read.nodes.size() == 1);
     CHECK(shape(read.nodes[0]).trim);
     CHECK(shape(read.nodes[0]).stroke->dashes.lengths.size() == 1);
@@ -190,7 +190,8 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
     const art::Drawing few = drawing_at(dashed_line(eight(R"({"k": 0})", R"({"k": 40})")), 0);
     REQUIRE(few.outlines.size() == 3);
     CHECK(few.outlines[1].from.x == doctest::Approx(40));
-    const ReadShapes many = read_shapes(dashed_line(dash("d", R"({"k": 0})") + ", " + dash("g", R"({"k": 0.01})")));
+    const ReadShapes many =
+        read_shapes(dashed_line(dash("d", R"({"k": 0})") + ", " + dash("g", R"({"k": 0.01})")));
     CHECK(shape(many.nodes[0]).drawing.value().outlines.size() == 1);
     REQUIRE(many.losses.list().size() == 1);
     CHECK(many.losses.list()[0].feature == "too many dashes");

@@ -187,8 +187,8 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
         const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}});
         CAPTURE(number);
         const bool is_mode = property == Property::trim_mode || property == Property::max_dashes;
-        const bool is_amount = property < Property::order || property == Property::width ||
-                               (cuts_strokes(property) && !is_mode);
+        const bool is_amount =
+            property < Property::order || property == Property::width || (cuts_strokes(property) && !is_mode);
         CHECK(takes_stroked_track(smooth) == is_amount);
         CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}})) == !is_mode);
         CHECK_FALSE(takes_stroked_track(bytes({0xC0 | number, 2})));
