@@ -23,7 +23,7 @@ enum class Feature : std::uint8_t {
     smooth,    ///< tracks that go smoothly through their keys
     texts,     ///< texts among the inputs
     drawings,  ///< drawings among the inputs
-    trims,     ///< strokes that are drawn in part
+    trims,     ///< strokes that are drawn in part, or dashed
     springs,   ///< velocity laws that spring or bounce
 };
 

@@ -29,6 +29,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/prepared/key_timeline.cpp
     ${CMAKE_CURRENT_LIST_DIR}/every_feature.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/flatten.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/math/dashes.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math/stroke_trimmer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/clock.cpp

@@ -97,7 +97,7 @@ void Tracer::trace_object(SceneWalk& walk)
     const ObjectStrokes strokes{on_panel_, object};
     if (object.has_depths)
         return on_panel_.scene.features().wires->trace(*this, strokes, walk);
-    if (const auto deformer = object.is_trimmed ? std::nullopt : strokes.rigid_deformation())
+    if (const auto deformer = object.is_cut ? std::nullopt : strokes.rigid_deformation())
         if (const auto placement = rigid_placement(*deformer, walk.space())) {
             const bool moves = object.deformer != Deformer::none || walk.place_dependence().keys != 0;
             return add_rigid_layers(walk, *placement,
@@ -193,7 +193,7 @@ void Tracer::trace_label(SceneWalk& walk)
 /// As add_layers(), but outlined upright and placed, as drawings of the scene are.
 void Tracer::add_live_layers(SceneWalk& walk, FunctionRef<Point()> first_point, TraceStrokes trace)
 {
-    if (const auto placement = walk.node().is_trimmed ? std::nullopt : rigid_placement({}, walk.space()))
+    if (const auto placement = walk.node().is_cut ? std::nullopt : rigid_placement({}, walk.space()))
         return add_rigid_layers(walk, *placement, [&](const Pen* pen) {
             picture_.outlines.place_contours(placement->map, nullptr, nullptr);
             trace_upright(*placement, pen, trace);
@@ -227,19 +227,19 @@ void Tracer::add_layers(SceneWalk& walk, const ViewProjection& view, const Affin
 {
     const ObjectStyle& style = walk.node().style;
     ObjectOutline outline{picture_.outlines, view};
-    const Trim trim = walk.node().is_trimmed ? walk.state().trim() : Trim{};
-    const auto trace_placed = [&] {
-        if (trim.is_whole())
+    const Trim trim = walk.node().is_cut ? walk.state().trim() : Trim{};
+    const auto trace_cut = [&](const Trim& cut) {
+        if (cut.is_whole())
             trace(placement, outline);
-        else if (!trim.is_empty())
-            on_panel_.scene.features().trims->trace(trim, placement, outline, trace);
+        else if (!cut.is_empty())
+            on_panel_.scene.features().trims->trace(cut, placement, outline, trace);
     };
     if (style.is_filled)
-        add_layer(Part::fill, walk, trace_placed);
+        add_layer(Part::fill, walk, [&] { trace_cut(trim.of_fill()); });
     if (!style.is_stroked)
         return;
     outline.stroke_with(pen_for(style, walk.state().width(), scale_factor()), pens());
-    add_layer(Part::stroke, walk, trace_placed);
+    add_layer(Part::stroke, walk, [&] { trace_cut(trim); });
 }
 
 /// trace(pen) adds the contours of the fill if there is no pen.

@@ -111,7 +111,7 @@ extern kfast_path_code kfast_paths;         /* items that follow a path */
 extern kfast_smooth_code kfast_smooth;      /* tracks that go smoothly through their keys */
 extern kfast_text_code kfast_texts;         /* texts among the inputs */
 extern kfast_drawing_code kfast_drawings;   /* drawings among the inputs */
-extern kfast_trim_code kfast_trims;         /* strokes that are drawn in part */
+extern kfast_trim_code kfast_trims;         /* strokes that are drawn in part, or dashed */
 extern kfast_spring_code kfast_springs;     /* velocity laws that spring or bounce */
 /* NOLINTEND(readability-redundant-declaration) */
 

@@ -94,22 +94,24 @@ void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
 template <class Trace>
 void BeamTracer::add_lines(SceneWalk& walk, const BeamStyle& beam, Trace trace)
 {
-    const Trim trim = walk.node().is_trimmed ? walk.state().trim() : Trim{};
+    const Trim trim = walk.node().is_cut ? walk.state().trim() : Trim{};
     if (trim.is_empty())
         return;
-    const auto trace_trimmed = [&](const Affine& placement, auto& pen) {
-        if (trim.is_whole())
+    const auto trace_cut = [&](const Trim& cut, const Affine& placement, auto& pen) {
+        if (cut.is_whole())
             return trace(placement, pen);
-        StrokeTrimmer trimmer{trim, placement, PieceSink::of(pen)};
+        StrokeTrimmer trimmer{cut, placement, PieceSink::of(pen)};
         trimmer.run([&](StrokeTrimmer& pieces) { trace(Affine{}, pieces); });
     };
     if (beam.has_hatching())
-        add_hatching(walk, beam, trace_trimmed);
+        add_hatching(walk, beam,
+                     [&](const Affine& placement, auto& pen) { trace_cut(trim.of_fill(), placement, pen); });
     if (!beam.has_outline())
         return;
     const bool is_stroked = walk.node().style.is_stroked;
     draw(is_stroked ? BeamInk::stroke : BeamInk::outline,
-         is_stroked ? walk.state().stroke() : walk.state().fill(), walk, trace_trimmed);
+         is_stroked ? walk.state().stroke() : walk.state().fill(), walk,
+         [&](const Affine& placement, auto& pen) { trace_cut(trim, placement, pen); });
 }
 
 template <class Trace>

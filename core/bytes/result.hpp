@@ -121,7 +121,7 @@ constexpr std::string_view error_text(Error error)
     case Error::needs_drawings:
         return "needs_drawings: the program was built without drawings as inputs"sv;
     case Error::needs_trims:
-        return "needs_trims: the program was built without strokes that are drawn in part"sv;
+        return "needs_trims: the program was built without strokes that are drawn in part or dashed"sv;
     case Error::needs_springs:
         return "needs_springs: the program was built without springs and bounces"sv;
     }

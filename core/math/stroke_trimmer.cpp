@@ -36,6 +36,15 @@ std::uint64_t share_of(std::uint32_t length, std::uint64_t share)
     return (length * share + Trim::whole / 2) >> 24;
 }
 
+/// How much of the parameter of a curve is a quarter of a pixel, at the end of a piece: caps stand across the
+/// curve and not across a long chord. 0 if the curve is shorter.
+std::uint32_t share_of_tip(std::uint32_t chord, std::uint32_t pieces)
+{
+    constexpr std::uint32_t tip_length = 1024; // in 1/4096 px
+    const std::uint32_t whole = chord > max_length / pieces ? max_length : chord * pieces;
+    return whole > tip_length ? Fraction::ratio(tip_length, whole).raw : 0;
+}
+
 }
 
 Trim Trim::between(std::int32_t from, std::int32_t to, std::int32_t offset, TrimMode mode)
@@ -114,6 +123,8 @@ void StrokeTrimmer::end_stroke(Point hub, bool is_closed)
     if (is_in_batch() && pass_ == Pass::cut) {
         if (is_whole_)
             sink_.end(place_(hub), is_closed ? PieceEnd::closed : PieceEnd::open);
+        else if (is_drawing_)
+            end_piece();
         before_ = sum(before_, measured().length);
     }
     ++stroke_;
@@ -132,15 +143,68 @@ void StrokeTrimmer::set_windows()
     const bool is_together = trim_.mode == TrimMode::together;
     const std::uint32_t all = is_together ? total_ : length;
     const std::uint64_t end = std::uint64_t{trim_.begin} + trim_.share;
+    windows_ = {};
     window_count_ = 0;
     if (end > Trim::whole)
         add_window(0, share_of(all, end - Trim::whole));
     add_window(share_of(all, trim_.begin), share_of(all, std::min<std::uint64_t>(end, Trim::whole)));
     const Window& first = windows_.front();
     const Window& last = windows_[window_count_ == 2 ? 1 : 0];
-    is_whole_ = length == 0 ? window_count_ != 0 || !is_together
-                            : window_count_ == 1 && first.begin == 0 && first.end == length;
-    crosses_seam_ = window_count_ == 2 && measured().is_closed && first.begin == 0 && last.end == length;
+    const bool reaches_both_ends = window_count_ != 0 && first.begin == 0 && last.end == length;
+    is_whole_ = length == 0 ? window_count_ != 0 || !is_together : window_count_ == 1 && reaches_both_ends;
+    crosses_seam_ = window_count_ == 2 && measured().is_closed && reaches_both_ends;
+    pattern_begins_ = {crosses_seam_ ? last.end - last.begin : 0, 0};
+    is_dashed_ = length != 0 && trim_.dashes.count != 0 && dashes_ < trim_.dashes.max;
+    begin_window();
+    if (is_dashed_)
+        look_at_ends(reaches_both_ends);
+    next_part();
+}
+
+void StrokeTrimmer::begin_window()
+{
+    dash_begin_ = windows_[window_].begin;
+    dash_ = is_dashed_ ? trim_.dashes.at(pattern_begins_[window_]) : Dashes::Place{0, max_length};
+}
+
+/// Whether a dash goes on across the seam, or is all there is.
+void StrokeTrimmer::look_at_ends(bool reaches_both_ends)
+{
+    const std::size_t last = window_count_ == 2 ? 1 : 0;
+    const std::uint32_t end = pattern_begins_[last] + (windows_[last].end - windows_[last].begin);
+    is_whole_ = is_whole_ && dash_.is_dash() && dash_.left >= measured().length;
+    crosses_seam_ =
+        reaches_both_ends && measured().is_closed && dash_.is_dash() && trim_.dashes.is_drawn_before(end);
+}
+
+/// Looks for what is drawn next of the current stroke.
+void StrokeTrimmer::next_part()
+{
+    while (!(has_part_ = next_dash(windows_[window_])) && window_ + 1 < window_count_) {
+        ++window_;
+        begin_window();
+    }
+}
+
+/// Whether there is one in the rest of the window. The last one that an object may have takes all of it, as
+/// the only one of what is not dashed does.
+bool StrokeTrimmer::next_dash(const Window& window)
+{
+    while (dash_begin_ < window.end) {
+        const bool is_dash = dash_.is_dash();
+        const bool is_last = is_dash && dashes_ >= trim_.dashes.max;
+        const std::uint32_t rest = window.end - dash_begin_;
+        part_ = {dash_begin_, dash_begin_ + (is_last ? rest : std::min(dash_.left, rest))};
+        dash_begin_ = part_.end;
+        if (is_dashed_) {
+            dashes_ += is_dash ? 1 : 0;
+            dash_.index = (dash_.index + 1) % trim_.dashes.count;
+            dash_.left = trim_.dashes.lengths[dash_.index];
+        }
+        if (is_dash && part_.begin != part_.end)
+            return true;
+    }
+    return false;
 }
 
 /// Adds the part of it that is on the current stroke.
@@ -188,24 +252,6 @@ std::uint32_t StrokeTrimmer::length_of(const Segment& segment) const
     return length;
 }
 
-/// The parameter at which a segment is as long as wanted, which is less than its length.
-Fraction StrokeTrimmer::fraction_at(const Segment& segment, std::uint32_t wanted) const
-{
-    std::uint32_t pieces = 0;
-    std::uint32_t whole_pieces = 0;
-    Fraction rest; // of the piece after these
-    each_chord(segment, [&](std::uint32_t chord) {
-        if (whole_pieces == pieces && wanted >= chord) {
-            wanted -= chord;
-            ++whole_pieces;
-        } else if (whole_pieces == pieces) {
-            rest = Fraction::ratio(wanted, chord);
-        }
-        ++pieces;
-    });
-    return {std::min((whole_pieces * Fraction::one + rest.raw) / pieces, Fraction::one)};
-}
-
 Segment StrokeTrimmer::placed(const Segment& segment) const
 {
     Segment result{.kind = segment.kind, .from = place_(segment.from), .to = place_(segment.to)};
@@ -216,66 +262,67 @@ Segment StrokeTrimmer::placed(const Segment& segment) const
     return result;
 }
 
+/// Walks along its chords, and draws between the borders of parts that lie on them.
 void StrokeTrimmer::cut(const Segment& segment)
 {
     if (has_no_length(segment))
         return;
-    const std::uint32_t length = length_of(segment);
+    const auto pieces = static_cast<std::uint32_t>(pieces_of(segment));
+    const auto share_of_whole = [pieces](std::uint32_t chords, Fraction rest) {
+        return Fraction{std::min((chords * Fraction::one + rest.raw) / pieces, Fraction::one)};
+    };
     Fraction begin;
-    while (window_ < window_count_) {
-        const Window& window = windows_[window_];
-        const std::uint32_t left = (is_drawing_ ? window.end : window.begin) - position_;
-        if (is_drawing_ ? left > length : left >= length)
-            break;
-        const Fraction at = left == 0        ? Fraction{}
-                            : left == length ? Fraction{Fraction::one}
-                                             : fraction_at(segment, left);
-        if (is_drawing_) {
-            go_on(segment, length, begin, at, true);
-            end_piece();
-        } else {
-            begin_piece(point_at(segment, at));
+    std::uint32_t chords = 0;
+    each_chord(segment, [&](std::uint32_t chord) {
+        while (has_part_) {
+            const std::uint32_t left = (is_drawing_ ? part_.end : part_.begin) - position_;
+            if (is_drawing_ ? left > chord : left >= chord)
+                break;
+            const Fraction at = share_of_whole(chords, left == 0 ? Fraction{} : Fraction::ratio(left, chord));
+            const std::uint32_t tip = segment.kind == Segment::Kind::cubic ? share_of_tip(chord, pieces) : 0;
+            if (is_drawing_) {
+                go_on(segment, begin, at, tip);
+                end_piece();
+            } else {
+                begin_piece(point_at(segment, at));
+                begin_tip_ = tip;
+            }
+            begin = at;
         }
-        begin = at;
-    }
+        position_ += chord;
+        ++chords;
+    });
     if (is_drawing_)
-        go_on(segment, length, begin, {Fraction::one}, false);
-    position_ += length;
+        go_on(segment, begin, {Fraction::one}, 0);
 }
 
 void StrokeTrimmer::begin_piece(Point at)
 {
     const Point placed = place_(at);
-    is_drawing_ = is_at_beginning_ = true;
+    is_drawing_ = true;
     if (trim_.mode == TrimMode::sector && !crosses_seam_) {
         sink_.begin(last_ = place_(start_));
         piece_start_ = last_;
         return line_to(placed);
     }
-    if (trim_.mode == TrimMode::sector && window_ == 1)
+    if (trim_.mode == TrimMode::sector && part_.begin != 0)
         return line_to(placed); // from the centre
     sink_.begin(placed);
     piece_start_ = last_ = placed;
 }
 
-/// Draws the part of a segment, which is so long, between two shares of its parameter. Where a piece begins
-/// or ends within a curve, a quarter of a pixel is apart, so that caps stand across the curve and not across
-/// a long chord.
-void StrokeTrimmer::go_on(const Segment& segment, std::uint32_t length, Fraction begin, Fraction end,
-                          bool ends)
+/// Draws the part of a segment between two shares of its parameter. Where a piece begins or ends within a
+/// curve, a tip of it is apart.
+void StrokeTrimmer::go_on(const Segment& segment, Fraction begin, Fraction end, std::uint32_t end_tip)
 {
-    const bool begins = std::exchange(is_at_beginning_, false);
-    constexpr std::uint32_t tip_length = 1024; // in 1/4096 px
-    if (segment.kind == Segment::Kind::cubic && length > tip_length) {
-        const std::uint32_t tip = Fraction::ratio(tip_length, length).raw;
-        if (begins && begin.raw + tip < end.raw) {
-            add(segment, begin, {begin.raw + tip});
-            begin.raw += tip;
-        }
-        if (ends && begin.raw + tip < end.raw) {
-            add(segment, begin, {end.raw - tip});
-            begin.raw = end.raw - tip;
-        }
+    const std::uint32_t begin_tip = std::exchange(begin_tip_, 0);
+    if (begin_tip != 0 && begin.raw + begin_tip < end.raw) {
+        add(segment, begin, {begin.raw + begin_tip});
+        begin.raw += begin_tip;
+    }
+    if (end_tip != 0 && begin.raw + end_tip < end.raw) {
+        add(segment, begin, {end.raw - end_tip});
+        begin.raw = end.raw - end_tip;
     }
     add(segment, begin, end);
 }
@@ -300,20 +347,21 @@ void StrokeTrimmer::line_to(Point to)
 void StrokeTrimmer::end_piece()
 {
     is_drawing_ = false;
-    const bool is_first = window_++ == 0;
+    const bool is_behind_seam = crosses_seam_ && part_.begin == 0;
+    const bool is_before_seam = crosses_seam_ && part_.end == measured().length;
+    next_part();
     if (trim_.mode == TrimMode::sector) {
-        if (is_first || !crosses_seam_)
+        if (!is_before_seam)
             line_to(place_(start_));
-        if (!is_first || !crosses_seam_)
+        if (!is_behind_seam)
             sink_.end(piece_start_, PieceEnd::closed);
         return;
     }
-    if (!crosses_seam_)
-        return sink_.end(piece_start_, PieceEnd::open);
-    if (is_first)
+    if (is_behind_seam)
         first_piece_end_ = last_;
-    sink_.end(is_first ? piece_start_ : first_piece_end_,
-              is_first ? PieceEnd::after_seam : PieceEnd::at_seam);
+    sink_.end(is_before_seam ? first_piece_end_ : piece_start_, is_behind_seam   ? PieceEnd::after_seam
+                                                                : is_before_seam ? PieceEnd::at_seam
+                                                                                 : PieceEnd::open);
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "core/bytes/function_ref.hpp"
 #include "core/math/affine.hpp"
+#include "core/math/dashes.hpp"
 #include "core/math/flatten.hpp"
 #include "core/math/point.hpp"
 
@@ -18,18 +19,22 @@ enum class TrimMode : std::uint8_t {
 };
 
 /// How much of the length of strokes is drawn: from `begin` on, and past the end again from the beginning.
+/// What is left is dashed, its pattern beginning where it does.
 struct Trim {
     static constexpr std::uint32_t whole = 1U << 24; ///< all of the length
 
     std::uint32_t begin = 0; ///< 0 … whole - 1
     std::uint32_t share = whole;
-    TrimMode mode = TrimMode::each;
+    TrimMode mode = TrimMode::each; ///< of what is dashed, not sector
+    Dashes dashes = {};
 
     /// From one share to the other, both clamped to 0 … whole and exchanged if they do not rise, moved by
     /// `offset`, which is taken modulo `whole`.
     static Trim between(std::int32_t from, std::int32_t to, std::int32_t offset, TrimMode mode);
 
-    bool is_whole() const { return share == whole; }
+    /// The same for a fill, which is not dashed.
+    Trim of_fill() const { return {.begin = begin, .share = share, .mode = mode}; }
+    bool is_whole() const { return share == whole && dashes.count == 0; }
     bool is_empty() const { return share == 0; }
 };
 
@@ -84,9 +89,9 @@ private:
     int (*pieces_of_)(void*, const Segment&) = nullptr;
 };
 
-/// Cuts the strokes of one object where a trim says, by their length in the object's own space. It takes
-/// them as an outline does (PosedStrokes::trace()), several times: the length of a stroke must be known
-/// before its first piece.
+/// Cuts the strokes of one object where a trim and its dashes say, by their length in the object's own space.
+/// It takes them as an outline does (PosedStrokes::trace()), several times: the length of a stroke must be
+/// known before its first piece.
 ///
 ///     measure all    for TrimMode::together: the length of all strokes
 ///     measure        the lengths of the next 16 strokes       \  again and again, until
@@ -144,15 +149,17 @@ private:
     bool has_no_length(const Segment& segment) const;
     [[gnu::cold]] void set_windows();
     [[gnu::cold]] void add_window(std::uint64_t begin, std::uint64_t end);
+    [[gnu::cold]] void begin_window();
+    [[gnu::cold]] void look_at_ends(bool reaches_both_ends);
+    [[gnu::cold]] void next_part();
+    [[gnu::cold]] bool next_dash(const Window& window);
     [[gnu::cold]] void each_chord(const Segment& segment, FunctionRef<void(std::uint32_t length)> take) const;
     std::uint32_t length_of(const Segment& segment) const;
-    [[gnu::cold]] Fraction fraction_at(const Segment& segment, std::uint32_t wanted) const;
     int pieces_of(const Segment& segment) const;
     [[gnu::cold]] Segment placed(const Segment& segment) const;
     [[gnu::cold]] void cut(const Segment& segment);
     [[gnu::cold]] void begin_piece(Point at);
-    [[gnu::cold]] void go_on(const Segment& segment, std::uint32_t length, Fraction begin, Fraction end,
-                             bool ends);
+    [[gnu::cold]] void go_on(const Segment& segment, Fraction begin, Fraction end, std::uint32_t end_tip);
     [[gnu::cold]] void add(const Segment& segment, Fraction begin, Fraction end);
     [[gnu::cold]] void line_to(Point to);
     [[gnu::cold]] void end_piece();
@@ -166,19 +173,26 @@ private:
     std::uint32_t first_ = 0;  ///< of the current batch
     std::uint32_t total_ = 0;  ///< the length of all strokes
     std::uint32_t before_ = 0; ///< the length of all strokes before the current one
+    std::uint32_t dashes_ = 0; ///< so far
     std::array<Measured, batch> measured_{};
 
     // Of the current stroke, while it is cut.
     std::array<Window, 2> windows_{};
+    std::array<std::uint32_t, 2> pattern_begins_{}; ///< how far before each window the pattern did
     std::uint32_t window_count_ = 0;
-    std::uint32_t window_ = 0;   ///< the current one, or the next
-    std::uint32_t position_ = 0; ///< the length of what has been read
-    bool is_whole_ = false;      ///< it is passed on as it is
+    std::uint32_t window_ = 0;    ///< the current one
+    Window part_;                 ///< what is drawn now or next: a window, or a dash of it
+    std::uint32_t position_ = 0;  ///< the length of what has been read
+    std::uint32_t begin_tip_ = 0; ///< not yet drawn
+    bool is_whole_ = false;       ///< it is passed on as it is
     bool crosses_seam_ = false;
-    bool is_drawing_ = false;      ///< within a window
-    bool is_at_beginning_ = false; ///< of a piece
-    Point start_;                  ///< of the stroke: the centre of a sector
-    Point curve_start_;            ///< of a sector
+    bool has_part_ = false;
+    bool is_drawing_ = false; ///< within a part
+    bool is_dashed_ = false;
+    Dashes::Place dash_; ///< behind the part
+    std::uint32_t dash_begin_ = 0;
+    Point start_;       ///< of the stroke: the centre of a sector
+    Point curve_start_; ///< of a sector
     Point curve_end_;
     Point piece_start_; ///< placed, as the next two
     Point last_;

@@ -239,8 +239,32 @@ Fixed ItemState::width() const
 
 Trim ItemState::trim() const
 {
-    return Trim::between(fine(Property::trim_from), fine(Property::trim_to), fine(Property::trim_offset),
-                         static_cast<TrimMode>(from_fine(fine(Property::trim_mode))));
+    Trim trim = Trim::between(fine(Property::trim_from), fine(Property::trim_to), fine(Property::trim_offset),
+                              static_cast<TrimMode>(from_fine(fine(Property::trim_mode))));
+    trim.dashes = dashes();
+    if (trim.dashes.count != 0 && trim.mode == TrimMode::sector)
+        trim.mode = TrimMode::each;
+    return trim;
+}
+
+/// None if no length has a track.
+Dashes ItemState::dashes() const
+{
+    std::array<std::int32_t, Dashes::max_lengths> lengths{};
+    std::size_t count = 0;
+    for (const TrackState& track : prepared_.tracks(item_)) {
+        const auto property = static_cast<Property>(track.property);
+        if (!is_dash_length(property))
+            continue;
+        const auto index =
+            static_cast<std::size_t>(track.property) - static_cast<std::size_t>(Property::dash_1);
+        lengths[index] = prepared_.fine_value(scene_, track);
+        count = index + 1;
+    }
+    Dashes dashes = Dashes::of(std::span{lengths}.first(count), fine(Property::dash_offset),
+                               item_.style.cap != Cap::butt);
+    dashes.max = static_cast<std::uint32_t>(from_fine(fine(Property::max_dashes)));
+    return dashes;
 }
 
 }

@@ -67,12 +67,13 @@ public:
     Colour stroke() const { return colour(Property::stroke, item_.style.stroke); }
     /// The width of the stroke; only of what is stroked.
     Fixed width() const;
-    /// Which part of its strokes is drawn.
+    /// Which part of its strokes is drawn, and how they are dashed.
     [[gnu::cold]] Trim trim() const;
 
 private:
     const TrackState* track(Property property) const;
     std::int32_t fine(Property property) const;
+    [[gnu::cold]] Dashes dashes() const;
     Colour colour(Property property, std::uint8_t without_track) const;
 
     const SceneView& scene_;

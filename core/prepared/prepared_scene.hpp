@@ -56,7 +56,7 @@ struct Node {
     /// however many groups and symbols it is alone.
     bool has_several_layers : 1 = false;
     bool is_ordered : 1 = false; ///< whether an item directly inside it has an order
-    bool is_trimmed : 1 = false; ///< whether some track says that only a part of its strokes is drawn
+    bool is_cut : 1 = false;     ///< whether some track says that its strokes are drawn in part, or dashed
     ObjectStyle style;           ///< also for live items
 
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }

@@ -144,7 +144,7 @@ bool Preparer::add_tracks(const ItemView& item, Node& node)
     for (TrackCursor tracks = item.tracks; !tracks.at_end(); ++node.track_count) {
         const TrackView track = tracks.next();
         has_order = has_order || track.property == Property::order;
-        node.is_trimmed = node.is_trimmed || is_of_trim(track.property);
+        node.is_cut = node.is_cut || cuts_strokes(track.property);
         const auto property = static_cast<std::uint8_t>(track.property);
         if (track.is_fixed)
             add_track({.from = track.value, .to = track.value, .property = property});

@@ -166,12 +166,25 @@ bool ItemView::is_placed() const
     return !all.at_end() && places_item(all.next().property);
 }
 
-bool ItemView::is_trimmed() const
+bool ItemView::is_cut() const
 {
     for (TrackCursor all = tracks; !all.at_end();)
-        if (is_of_trim(all.next().property))
+        if (cuts_strokes(all.next().property))
             return true;
     return false;
+}
+
+std::uint32_t ItemView::max_dashes() const
+{
+    bool is_dashed = false;
+    std::int32_t max = usual_max_dashes;
+    for (TrackCursor all = tracks; !all.at_end();) {
+        const TrackView track = all.next();
+        is_dashed = is_dashed || is_dash_length(track.property);
+        if (track.property == Property::max_dashes)
+            max = track.value;
+    }
+    return is_dashed ? static_cast<std::uint32_t>(max) : 0;
 }
 
 ItemView ItemCursor::next()

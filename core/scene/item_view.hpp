@@ -137,8 +137,10 @@ struct ItemView {
     bool is_leaf() const { return kind == ItemKind::object || kind == ItemKind::live; }
     /// Whether some track moves, rotates or scales it.
     bool is_placed() const;
-    /// Whether some track says that only a part of its strokes is drawn.
-    bool is_trimmed() const;
+    /// Whether some track says that its strokes are drawn in part, or dashed.
+    bool is_cut() const;
+    /// How many dashes are drawn of its strokes at most; 0 if they are not dashed.
+    std::uint32_t max_dashes() const;
 };
 
 /// Reads a list of items, the lowest first.

@@ -36,9 +36,19 @@ enum class Property : std::uint8_t {
     trim_to,
     trim_offset,
     trim_mode, ///< a TrimMode; does not tween
+    // How the strokes of an object are dashed, in 1/64 px. Only of objects and live items that are stroked
+    // and no wire frames. The pattern has the lengths up to the last one that has a track.
+    dash_offset, ///< where in the pattern strokes begin
+    dash_1,
+    gap_1,
+    dash_2,
+    gap_2,
+    dash_3,
+    gap_3,
+    max_dashes, ///< beyond them strokes are drawn whole; does not tween
 };
 
-inline constexpr std::size_t property_count = 21;
+inline constexpr std::size_t property_count = 29;
 
 /// Whether it places an item, as the first of them do.
 constexpr bool places_item(Property property) { return property <= Property::along; }
@@ -49,22 +59,39 @@ constexpr bool is_of_trim(Property property)
     return property >= Property::trim_from && property <= Property::trim_mode;
 }
 
+/// Whether it says which part of strokes is drawn, or how they are dashed.
+constexpr bool cuts_strokes(Property property) { return property >= Property::trim_from; }
+
+/// Whether it says how strokes are dashed.
+constexpr bool is_of_dashes(Property property) { return property >= Property::dash_offset; }
+
+/// Whether it is the length of a dash or a gap.
+constexpr bool is_dash_length(Property property)
+{
+    return property >= Property::dash_1 && property <= Property::gap_3;
+}
+
 /// Whether it moves, bends, widens or cuts something, so that its outlines change.
 constexpr bool shapes_item(Property property)
 {
-    return places_item(property) || property == Property::width || is_of_trim(property);
+    return places_item(property) || property == Property::width || cuts_strokes(property);
 }
 
 inline constexpr std::int32_t scale_one = 4096;   ///< a scale that changes nothing
 inline constexpr std::int32_t path_whole = 65536; ///< the end of a path, or of the strokes that are trimmed
 inline constexpr std::int32_t max_trim_offset = 16 * path_whole;
 inline constexpr std::int32_t max_trim_mode = 2;
+inline constexpr std::int32_t dash_pixel = 64; ///< of dash lengths and offsets
+inline constexpr std::int32_t max_dash_length = 16384 * dash_pixel;
+inline constexpr std::int32_t most_dashes = 1024;
+inline constexpr std::int32_t usual_max_dashes = 64;
 
 /// Whether a track of it may be smooth: its values are amounts.
 constexpr bool may_be_smooth(Property property)
 {
     return property != Property::order && property != Property::visible && property != Property::fill &&
-           property != Property::stroke && property != Property::trim_mode;
+           property != Property::stroke && property != Property::trim_mode &&
+           property != Property::max_dashes;
 }
 
 /// Whether it tweens by the law for y; all others by that for x.
@@ -86,6 +113,8 @@ constexpr std::int32_t value_without_track(Property property)
         return 1;
     case Property::trim_to:
         return path_whole;
+    case Property::max_dashes:
+        return usual_max_dashes;
     default:
         return 0;
     }
@@ -130,6 +159,17 @@ constexpr ValueRange value_range(Property property)
         return {0, 1};
     case Property::width:
         return {0, kfb::max_width};
+    case Property::dash_offset:
+        return {-max_dash_length, max_dash_length};
+    case Property::dash_1:
+    case Property::gap_1:
+    case Property::dash_2:
+    case Property::gap_2:
+    case Property::dash_3:
+    case Property::gap_3:
+        return {0, max_dash_length};
+    case Property::max_dashes:
+        return {1, most_dashes};
     }
     return {0, 0};
 }

@@ -154,14 +154,15 @@ void SvgTracer::add_paths(SceneWalk& walk, Point first, Trace trace)
     const Space& space = walk.space();
     const bool is_flat = space.is_flat();
     const Projection projection{space, on_panel_.camera};
-    const Trim trim = walk.node().is_trimmed ? state.trim() : Trim{};
+    const Trim trim = walk.node().is_cut ? state.trim() : Trim{};
     const auto data = [&](SvgPath::Use use) {
         SvgPath path{is_flat ? nullptr : &projection, use};
         const Affine placement = is_flat ? space.plane : Affine{};
-        if (trim.is_whole()) {
+        const Trim cut = use == SvgPath::Use::fill ? trim.of_fill() : trim;
+        if (cut.is_whole()) {
             trace(placement, path);
-        } else if (!trim.is_empty()) {
-            StrokeTrimmer trimmer{trim, placement, PieceSink::of(path)};
+        } else if (!cut.is_empty()) {
+            StrokeTrimmer trimmer{cut, placement, PieceSink::of(path)};
             trimmer.run([&](StrokeTrimmer& pieces) { trace(Affine{}, pieces); });
         }
         return path.data();

@@ -65,7 +65,16 @@ double written_amount(Property property, double stored)
     case Property::order:
     case Property::visible:
     case Property::trim_mode:
+    case Property::max_dashes:
         return stored;
+    case Property::dash_offset:
+    case Property::dash_1:
+    case Property::gap_1:
+    case Property::dash_2:
+    case Property::gap_2:
+    case Property::dash_3:
+    case Property::gap_3:
+        return stored / dash_pixel;
     default:
         return stored / 16.0;
     }

@@ -26,13 +26,14 @@ std::string features_text(FeatureSet set);
 /// The features of a set, in the order of Feature.
 std::vector<Feature> features_in(FeatureSet set);
 
-/// Its name in the scene language.
+/// Its name in the scene language, where all lengths of dashes are one list.
 constexpr std::string_view property_name(Property property)
 {
     constexpr std::array<std::string_view, property_count> names{
-        "x",       "y",       "z",       "rotate-x",  "rotate-y", "rotate",      "scale-x",
-        "scale-y", "pivot-x", "pivot-y", "along",     "opacity",  "order",       "visible",
-        "fill",    "stroke",  "width",   "trim-from", "trim-to",  "trim-offset", "trim"};
+        "x",       "y",         "z",       "rotate-x",    "rotate-y",  "rotate",      "scale-x", "scale-y",
+        "pivot-x", "pivot-y",   "along",   "opacity",     "order",     "visible",     "fill",    "stroke",
+        "width",   "trim-from", "trim-to", "trim-offset", "trim",      "dash-offset", "dash",    "dash",
+        "dash",    "dash",      "dash",    "dash",        "max-dashes"};
     return names[static_cast<std::size_t>(property)];
 }
 

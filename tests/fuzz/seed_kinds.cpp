@@ -159,8 +159,8 @@ private:
     {
         for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
             const TrackView track = tracks.next();
-            if (track.is_fixed && is_of_trim(track.property))
-                see("Tracks: fixed trim",
+            if (cuts_strokes(track.property))
+                see(track.is_fixed ? "Tracks: fixed cut" : "Tracks: keys of cut",
                     static_cast<int>(track.property) - static_cast<int>(Property::trim_from));
             else
                 see(track.is_fixed ? "Tracks: fixed" : "Tracks: keys of", track.property);

@@ -13,6 +13,7 @@ constexpr std::uint32_t per_layer = 1024;
 constexpr std::uint32_t per_filled_point = 512;
 constexpr std::uint32_t per_stroked_point = 1024;
 constexpr std::uint32_t per_trimmed_point = 512; ///< each time that it is traced
+constexpr std::uint32_t per_dash = 8192;
 constexpr std::uint32_t per_order_looked_at = 32;
 constexpr std::uint32_t per_path_segment = 128;
 constexpr std::uint32_t per_timeline = 256;
@@ -85,6 +86,8 @@ std::uint32_t cost_of_trim(const ObjectStyle& style, std::uint32_t points, std::
     const std::uint32_t traced = std::min(points, max_points / passes) * passes; // more is too much anyway
     return thousands(per_trimmed_point * layers_of(style) * traced);
 }
+
+std::uint32_t cost_of_dashes(std::uint32_t dashes) { return dashes * (per_dash / 1024); }
 
 std::uint32_t cost_of_path(std::uint32_t segments) { return thousands(per_path_segment * segments); }
 

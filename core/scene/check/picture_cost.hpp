@@ -50,6 +50,8 @@ private:
 std::uint32_t cost_of_item(std::uint32_t tracks);
 /// What it costs to trim a leaf of so many points and strokes.
 std::uint32_t cost_of_trim(const ObjectStyle& style, std::uint32_t points, std::uint32_t strokes);
+/// What the dashes of its stroke cost more.
+std::uint32_t cost_of_dashes(std::uint32_t dashes);
 /// The cost of drawing a leaf of `points` points, each of which takes `per_point` instructions, at most 1024,
 /// more than others.
 std::uint32_t cost_of_leaf(const ObjectStyle& style, std::uint32_t points, std::uint32_t per_point);

@@ -127,7 +127,7 @@ private:
     void add_cost(std::uint32_t cost, std::uint32_t seen);
     bool check_tracks(const ItemView& item, Tracks& tracks);
     bool check_track(const TrackView& track, const ObjectStyle& style);
-    bool check_trim(const ItemView& item, const TrackView& track);
+    bool check_cut(const ItemView& item, const TrackView& track);
     bool check_value(const TrackView& track, std::int32_t value) const;
     std::uint32_t seen_by(const TrackView& track) const;
     bool is_hold(std::uint32_t laws) const { return (holds_[laws / 32] >> laws % 32 & 1U) != 0; }

@@ -137,8 +137,9 @@ bool SceneCheck::check_leaf(const ItemView& item, std::uint32_t seen)
     if (!(item.kind == ItemKind::object ? check_object(item.object) : check_live(item)))
         return false;
     add_cost(cost_of_leaf(item.object.style, points_, instructions_per_point(item)), seen);
-    if (item.is_trimmed())
-        add_cost(cost_of_trim(item.object.style, points_, strokes_), seen);
+    if (item.is_cut())
+        add_cost(cost_of_trim(item.object.style, points_, strokes_) + cost_of_dashes(item.max_dashes()),
+                 seen);
     return true;
 }
 
@@ -161,7 +162,7 @@ bool SceneCheck::check_tracks(const ItemView& item, Tracks& tracks)
         const int property = static_cast<int>(track.property);
         if (property <= before || property >= static_cast<int>(property_count) ||
             !check_track(track, item.object.style) ||
-            (is_of_trim(track.property) && !check_trim(item, track)))
+            (cuts_strokes(track.property) && !check_cut(item, track)))
             return false;
         before = property;
         tracks.has_order = tracks.has_order || track.property == Property::order;
@@ -220,10 +221,11 @@ bool SceneCheck::check_track(const TrackView& track, const ObjectStyle& style)
     return true;
 }
 
-bool SceneCheck::check_trim(const ItemView& item, const TrackView& track)
+bool SceneCheck::check_cut(const ItemView& item, const TrackView& track)
 {
+    const bool is_mode = track.property == Property::trim_mode || track.property == Property::max_dashes;
     return needs(Feature::trims) && item.is_leaf() && !item.object.has_depths &&
-           (track.property != Property::trim_mode || track.is_fixed);
+           (!is_of_dashes(track.property) || item.object.style.is_stroked) && (!is_mode || track.is_fixed);
 }
 
 bool SceneCheck::check_value(const TrackView& track, std::int32_t value) const

@@ -40,6 +40,13 @@ struct Fill {
     friend bool operator==(const Fill&, const Fill&) = default;
 };
 
+/// How a line is broken, as in SVG and Lottie.
+struct Dashes {
+    std::vector<Channel> lengths; ///< of dashes and gaps alternately, in pixels; none: no dashes
+    Channel offset = {0};         ///< how far into the pattern each outline begins, in pixels
+    friend bool operator==(const Dashes&, const Dashes&) = default;
+};
+
 /// Along a drawing.
 struct StrokeStyle {
     Animated<Rgb> colour;
@@ -48,6 +55,7 @@ struct StrokeStyle {
     Cap cap = Cap::butt;
     Join join = Join::miter;
     double miter_limit = 4; ///< in widths
+    Dashes dashes = {};
     friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
 };
 
@@ -197,6 +205,16 @@ void every_animation(Transform& transform, Visit&& visit)
         visit(transform.path->share);
 }
 
+/// Calls visit(channel) with all that is in pixels.
+template <typename Visit>
+void every_length(StrokeStyle& stroke, Visit&& visit)
+{
+    visit(stroke.width);
+    for (Channel& length : stroke.dashes.lengths)
+        visit(length);
+    visit(stroke.dashes.offset);
+}
+
 template <typename Visit>
 void every_animation(Shape& shape, Visit&& visit)
 {
@@ -208,7 +226,7 @@ void every_animation(Shape& shape, Visit&& visit)
     if (shape.stroke) {
         visit(shape.stroke->colour);
         visit(shape.stroke->opacity);
-        visit(shape.stroke->width);
+        every_length(*shape.stroke, visit);
     }
     if (shape.trim)
         for (Channel* channel : {&shape.trim->start, &shape.trim->end, &shape.trim->offset})

@@ -63,7 +63,7 @@ public:
         if (auto* shape = std::get_if<Shape>(&node.content)) {
             (*this)(shape->drawing);
             if (shape->stroke)
-                (*this)(shape->stroke->width);
+                every_length(*shape->stroke, *this);
         }
     }
 

@@ -291,6 +291,8 @@ private:
         leave_out_keys(ink.opacity, opacity_tolerance, eases_);
     }
 
+    static constexpr double dash_share = 1.0 / 16; ///< errors of lengths add up along a line
+
     void simplify(Fill& fill) { simplify_ink(fill); }
 
     void simplify(StrokeStyle& stroke, double share)
@@ -299,6 +301,9 @@ private:
         // An edge moves by half of what the width changes, a tip or the corner of a cap further.
         const double longest = std::max(stroke.miter_limit, std::numbers::sqrt2);
         leave_out_keys(stroke.width, 2 * share / longest, eases_);
+        for (Channel& length : stroke.dashes.lengths)
+            leave_out_keys(length, dash_share * share, eases_);
+        leave_out_keys(stroke.dashes.offset, share, eases_);
     }
 
     double tolerance_;

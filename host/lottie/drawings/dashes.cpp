@@ -1,5 +1,6 @@
 #include "host/lottie/drawings/dashes.hpp"
 
+#include "core/math/dashes.hpp"
 #include "host/art/geometry/curves.hpp"
 #include "host/art/geometry/drawing.hpp"
 
@@ -131,6 +132,14 @@ double max_at_moments(const MovingDrawing& drawing, const Dashes& dashes)
     return max;
 }
 
+MovingDrawing with_moments_of(MovingDrawing drawing, const Dashes& dashes)
+{
+    for (const art::Channel& length : dashes.lengths)
+        drawing.moments.add(length);
+    drawing.moments.add(dashes.offset);
+    return drawing;
+}
+
 Drawing dashed_at(const Dashes& dashes, Drawing drawing, double time)
 {
     const auto pattern = pattern_at(dashes, time);
@@ -150,12 +159,20 @@ Dashes at_first(Dashes dashes)
 
 }
 
+bool are_of_scenes(const Dashes& dashes, const MovingDrawing& drawing)
+{
+    constexpr double most = 800; // of the 1024 of an object, as lengths are rounded
+    const std::size_t count = dashes.lengths.size();
+    if (count == 0)
+        return true;
+    return (count % 2 == 0 ? count : 2 * count) <= kfast::Dashes::max_lengths &&
+           max_at_moments(with_moments_of(drawing, dashes), dashes) <= most;
+}
+
 DashedDrawing dashed(MovingDrawing drawing, const Dashes& dashes)
 {
     const bool line_is_still = drawing.moments.empty();
-    for (const art::Channel& length : dashes.lengths)
-        drawing.moments.add(length);
-    drawing.moments.add(dashes.offset);
+    drawing = with_moments_of(std::move(drawing), dashes);
     const double max = max_at_moments(drawing, dashes);
     const bool is_still = drawing.moments.empty();
     if (line_is_still && !is_still && max > max_moving_dashes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host/art/animation/animated.hpp"
+#include "host/art/document/document.hpp"
 #include "host/geometry/outline.hpp"
 #include "host/lottie/drawings/moving_drawing.hpp"
 
@@ -48,13 +49,12 @@ private:
 /// Continues an open outline with another one that begins where it ends.
 void append(scene::Outline& outline, scene::Outline next);
 
-/// How a line is broken.
-struct Dashes {
-    std::vector<art::Channel> lengths; ///< of dashes and gaps alternately, in pixels; none: no dashes
-    art::Channel offset = {0};         ///< how far into the pattern the line begins, in pixels
-};
+using art::Dashes;
 
-/// The maximum number of dashes of a drawing, and of one that changes or whose dashes move.
+/// Whether a scene has such dashes along what `drawing` is, so that they need not be cut.
+bool are_of_scenes(const Dashes& dashes, const MovingDrawing& drawing);
+
+/// The maximum number of dashes that are cut of a drawing, and of one that changes or whose dashes move.
 inline constexpr int max_dashes = 1000;
 inline constexpr int max_moving_dashes = 120;
 

@@ -70,7 +70,7 @@ const art::Trim* common_trim(const StyleItem& style, const std::vector<Transform
                              bool in_groups)
 {
     const auto& first = paths.front().path->untrimmed;
-    if (!first || !style.stroke || !style.dashes.lengths.empty() || !is_within_offsets(*first->trim))
+    if (!first || !style.stroke || !is_within_offsets(*first->trim))
         return nullptr;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const auto& own = paths[i].path->untrimmed;
@@ -81,6 +81,16 @@ const art::Trim* common_trim(const StyleItem& style, const std::vector<Transform
             return nullptr;
     }
     return first->trim->together && first->count != paths.size() ? nullptr : first->trim.get();
+}
+
+/// Otherwise it is an even line. Of an odd number of lengths, all are gaps in turn.
+bool has_gaps(const Dashes& dashes)
+{
+    const std::size_t count = dashes.lengths.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if ((i % 2 == 1 || count % 2 == 1) && dashes.lengths[i] != art::Channel{0})
+            return true;
+    return false;
 }
 
 bool is_empty(const art::Animated<art::Drawing>& drawing)
@@ -181,10 +191,19 @@ private:
         shape.fill = below ? below->fill : style.fill;
         shape.stroke = style.stroke;
         const bool in_groups = can_lie_in_groups(paths, shape.stroke.has_value());
-        const art::Trim* const trim = common_trim(style, paths, in_groups);
+        const art::Trim* trim = common_trim(style, paths, in_groups);
+        MovingDrawing drawing = drawing_of(style, paths, in_groups, trim != nullptr);
+        if (are_of_scenes(style.dashes, drawing)) {
+            if (has_gaps(style.dashes))
+                shape.stroke->dashes = style.dashes;
+        } else {
+            if (std::exchange(trim, nullptr) != nullptr)
+                drawing = drawing_of(style, paths, in_groups, false);
+            drawing = dashed_or_reported(std::move(drawing), style.dashes);
+        }
         if (trim != nullptr)
             shape.trim = *trim;
-        shape.drawing = keys_of(drawing_of(style, paths, in_groups, trim != nullptr), reading_.budget);
+        shape.drawing = keys_of(drawing, reading_.budget);
         if (is_empty(shape.drawing))
             return;
         Node node;
@@ -212,8 +231,7 @@ private:
             reading_.budget.take_computed_points(drawing.moments.list().size() + 1);
             drawings.push_back(std::move(drawing));
         }
-        MovingDrawing all = together(std::move(drawings));
-        return is_cut ? dashed_or_reported(std::move(all), style.dashes) : all;
+        return together(std::move(drawings));
     }
 
     MovingDrawing dashed_or_reported(MovingDrawing stroke, const Dashes& dashes) const

@@ -160,24 +160,26 @@ void refuse_mixed_depths(const std::vector<Key>& keys, SceneContext& context)
 
 namespace {
 
-void refuse_trims_of_wires(const kdl::Node& object, const DrawingContent& content, SceneContext& context)
+void refuse_cuts_of_wires(const kdl::Node& object, const DrawingContent& content, SceneContext& context)
 {
-    const auto refuse = [&context](SourceSpan place) {
-        context.report.error(place, "a drawing with depth is not trimmed", "draw it without depth");
+    const auto refuse = [&context](SourceSpan place, bool is_trim) {
+        context.report.error(place,
+                             std::string{"a drawing with depth is not "} + (is_trim ? "trimmed" : "dashed"),
+                             "draw it without depth");
     };
     for (std::size_t i = 0; i < property_count; ++i) {
         const auto property = static_cast<Property>(i);
         const std::string_view name = property_name(property);
-        if (!is_of_trim(property))
+        if (!is_of_trim(property) && property != Property::dash_offset && property != Property::dash_1)
             continue;
         if (has_property(object, name))
-            refuse(property_span(object, name));
+            refuse(property_span(object, name), is_of_trim(property));
         for (const ItemKey& key : content.keys)
             if (key.values.get(property))
-                refuse(property_span(*key.node, name));
+                refuse(property_span(*key.node, name), is_of_trim(property));
         for (const TimedQuantity& quantity : content.timed)
             if (gives(quantity, property))
-                refuse(quantity.place);
+                refuse(quantity.place, is_of_trim(property));
     }
 }
 
@@ -200,7 +202,7 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
         std::ranges::find_if(content.keys, [](const ItemKey& key) { return key.skeleton != nullptr; });
     if (deformed != content.keys.end())
         refuse(deformed->skeleton->name_span, "skeleton", "turn the object, or a group around it");
-    refuse_trims_of_wires(object, content, context);
+    refuse_cuts_of_wires(object, content, context);
     const auto matched =
         std::ranges::find_if(keys, [](const Key& key) { return key.match == Match::length; });
     if (matched != keys.end())

@@ -23,7 +23,7 @@ namespace {
 void warn_of_idle_laws(std::span<const ItemKey> keys, SceneContext& context);
 
 /// What keys set, a bit for each Property, and for drawings and skeletons one for each axis.
-using Things = std::uint32_t;
+using Things = std::uint64_t;
 
 constexpr Things bit(Property property) { return Things{1} << static_cast<unsigned>(property); }
 

@@ -1,6 +1,7 @@
 #include "host/scene/items/key_reader.hpp"
 
 #include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/values/dash_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
@@ -32,7 +33,8 @@ constexpr std::array paint_rules{
 
 constexpr auto symbol_key_rules = joined(law_rules<ItemKey>, match_rules);
 constexpr auto group_key_rules = joined(law_rules<ItemKey>, place_rules<ItemKey>, show_rules<ItemKey>);
-constexpr auto object_key_rules = joined(group_key_rules, match_rules, paint_rules, trim_rules<ItemKey>);
+constexpr auto object_key_rules =
+    joined(group_key_rules, match_rules, paint_rules, trim_rules<ItemKey>, dash_rules<ItemKey>);
 
 bool read_key_properties(const kdl::Node& node, KeyHolder holder, ItemKey& key, SceneContext& context)
 {

@@ -1,6 +1,7 @@
 #include "host/scene/items/object_properties.hpp"
 
 #include "host/scene/context/limits.hpp"
+#include "host/scene/values/dash_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
 #include "host/schema/node_form.hpp"
 #include "host/schema/property_rule.hpp"
@@ -138,7 +139,7 @@ constexpr auto object_rules =
     joined(style_rules, beam_rules, skin_rules, trim_rules<Target>,
            std::array{PropertyRule<Target>{"trim", read_own_value<Property::trim_mode>,
                                            kind_of(Property::trim_mode)}},
-           place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
+           dash_rules<Target>, place_rules<Target>, show_rules<Target>, pivot_rules<Target>,
            std::array{PropertyRule<Target>{"input", read_own_driver<Target>, any_name},
                       PropertyRule<Target>{"live", keep_name<&Target::live>, any_name}});
 

@@ -3,6 +3,7 @@
 #include "host/scene/context/limits.hpp"
 #include "host/scene/items/drawing_content.hpp"
 #include "host/scene/items/drawing_reader.hpp"
+#include "host/scene/items/object_dashes.hpp"
 #include "host/scene/items/object_properties.hpp"
 #include "host/scene/items/sector_trim.hpp"
 #include "host/scene/items/skeleton_reader.hpp"
@@ -35,9 +36,9 @@ struct Painted {
 };
 
 constexpr std::array painted{
-    Painted{Property::fill, "fill"},
-    Painted{Property::stroke, "stroke"},
-    Painted{Property::width, "stroke"},
+    Painted{Property::fill, "fill"},     Painted{Property::stroke, "stroke"},
+    Painted{Property::width, "stroke"},  Painted{Property::dash_offset, "stroke"},
+    Painted{Property::dash_1, "stroke"},
 };
 
 void report_paint_of_nothing(std::string_view needs, SourceSpan place, SceneContext& context)
@@ -95,10 +96,13 @@ public:
             draw(content, object);
         if (!object.stroke)
             warn_of_filled_lines();
+        make_dashes_alike(node_, properties_.values, content.keys, context_);
         auto tracks = build_tracks(node_, properties_.values,
                                    {content.keys, properties_.driver.driver(), object.has_depths},
                                    content.timed, context_);
         add_trim(tracks, object);
+        add_max_dashes(tracks, object, place_, context_);
+        std::ranges::sort(tracks, {}, &Track::property);
         return {std::string{name}, std::move(tracks), std::move(object), place_, take_path(content.timed)};
     }
 
@@ -146,17 +150,21 @@ private:
 
     Driver drawing_driver() const { return inner_.is_clock() ? inner_ : properties_.driver.driver(); }
 
-    /// Arcs and pies that change their angles are trimmed, unless the author trims them.
+    /// Arcs and pies that change their angles are trimmed, unless the author trims them. The lines of dashed
+    /// pies have dashes, too, which their angles do not know.
     void add_trim(std::vector<Track>& tracks, Object& object) const
     {
+        const auto has_track = [&tracks](auto is_wanted) {
+            return std::ranges::any_of(tracks, is_wanted, &Track::property);
+        };
         const bool is_bent = object.skin || !object.backbone_keys.empty() || object.has_depths;
-        const auto is_trim = [](const Track& track) { return is_of_trim(track.property); };
-        if (std::ranges::any_of(tracks, is_trim)) {
-            if (!is_bent && are_pies(object.keys) && tracks.back().property != Property::trim_mode)
-                tracks.push_back(trim_by_angles());
-        } else if (!is_bent) {
+        const bool has_pies = are_pies(object.keys);
+        if (is_bent || (has_pies && has_track(is_dash_length)))
+            return;
+        if (!has_track(is_of_trim))
             std::ranges::move(trim_sectors(object.keys, object.driver), std::back_inserter(tracks));
-        }
+        else if (has_pies && !has_track([](Property property) { return property == Property::trim_mode; }))
+            tracks.push_back(trim_by_angles());
     }
 
     void set_wires(const DrawingContent& content, Object& object)

@@ -51,12 +51,14 @@ constexpr std::array quantities{
     same_name(Property::trim_from),
     same_name(Property::trim_to),
     same_name(Property::trim_offset),
+    same_name(Property::dash_offset),
 };
-constexpr std::size_t of_objects = 4;
+constexpr std::size_t of_objects = 5;
 
 constexpr bool is_of_objects(Property property) { return property >= Property::width; }
 
-constexpr std::array keys_only{Property::order, Property::visible, Property::fill, Property::stroke};
+constexpr std::array keys_only{Property::order, Property::visible, Property::fill, Property::stroke,
+                               Property::dash_1};
 
 void report_unknown_quantity(const kdl::Value& value, std::string_view name, KeyHolder holder,
                              SceneContext& context)

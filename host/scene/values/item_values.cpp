@@ -22,6 +22,7 @@ constexpr NumberForm degrees{BinaryAngle::turn, 360};
 constexpr NumberForm scales{kfb::max_scale, 64};
 constexpr NumberForm shares{path_whole, 1};
 constexpr NumberForm opacities{255, 1};
+constexpr NumberForm dash_lengths{dash_pixel, 1};
 
 std::optional<std::int32_t> read_form(const NumberForm& form, Range range, const kdl::Value& value,
                                       SceneContext& context)
@@ -74,6 +75,16 @@ std::optional<std::int32_t> read_item_value(Property property, const kdl::Value&
         return read_colour(value, context);
     case Property::width:
         return read_form(pixels, range, value, context);
+    case Property::dash_offset:
+    case Property::dash_1:
+    case Property::gap_1:
+    case Property::dash_2:
+    case Property::gap_2:
+    case Property::dash_3:
+    case Property::gap_3:
+        return read_form(dash_lengths, range, value, context);
+    case Property::max_dashes:
+        break; // found by the compiler
     case Property::trim_mode:
         if (const auto mode = read_word(value, trim_words, context.report))
             return static_cast<std::int32_t>(*mode);

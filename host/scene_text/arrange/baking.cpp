@@ -97,16 +97,18 @@ private:
             return lose("a figure that bones carry, so deep inside of groups", name,
                         "it stays where it is drawn");
         if (shape.stroke)
-            bake_width(shape.stroke->width, action);
+            every_length(*shape.stroke, [&](Channel& length) { bake_length(length, action); });
         bake_drawing(shape.drawing, name, action);
     }
 
-    void bake_width(Channel& width, const Action& action) const
+    void bake_length(Channel& length, const Action& action) const
     {
+        if (length == Channel{0})
+            return;
         std::vector<double> critical = action.critical;
-        add_times(width, critical);
-        width = art::baked_channel(
-            [&, given = width](double time) {
+        add_times(length, critical);
+        length = art::baked_channel(
+            [&, given = length](double time) {
                 arranging_.budget.take_computed_points(action.depth);
                 return given.at(time) * scale_factor_of(action.at(time));
             },

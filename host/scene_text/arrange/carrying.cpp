@@ -101,7 +101,9 @@ void take(const Affine& affine, Shape& shape)
         for (scene::Outline& outline : key.value.outlines)
             outline = affine.of(outline);
     if (shape.stroke)
-        shape.stroke->width = scaled(shape.stroke->width, scale_factor_of(affine));
+        every_length(*shape.stroke, [factor = scale_factor_of(affine)](Channel& length) {
+            length = scaled(length, factor);
+        });
 }
 
 }

@@ -104,6 +104,9 @@ private:
             check(shape.stroke->colour);
             check(shape.stroke->opacity);
             check(shape.stroke->width);
+            for (const Channel& length : shape.stroke->dashes.lengths)
+                check(length);
+            check(shape.stroke->dashes.offset);
             check(shape.stroke->miter_limit);
         }
         if (shape.skin)

@@ -103,9 +103,10 @@ private:
             fit(group->nodes);
         const double distance = distance_of(node.transform);
         reach_ = std::max({reach_, reach_of(node), distance});
-        if (losses_ != nullptr)
+        if (losses_ != nullptr) {
             check(node);
-        else if (distance > widest_reach)
+            drop_fine_dashes(node);
+        } else if (distance > widest_reach)
             go_further(node, shrink_for(distance));
     }
 
@@ -167,6 +168,22 @@ private:
         if (const auto* const shape = std::get_if<Shape>(&node.content);
             shape != nullptr && shape->stroke && exceeds(shape->stroke->width, widths))
             lose("a line wider than 4095 px", node);
+    }
+
+    /// Patterns that are as good as an even line, and would be more dashes than a player draws.
+    void drop_fine_dashes(Node& node) const
+    {
+        constexpr double finest = 0.25; // px
+        auto* const shape = std::get_if<Shape>(&node.content);
+        if (shape == nullptr || !shape->stroke || shape->stroke->dashes.lengths.empty())
+            return;
+        double period = 0;
+        for (const Channel& length : shape->stroke->dashes.lengths)
+            period += std::ranges::min(length.keys, {}, &art::Key<double>::value).value;
+        if (period >= finest)
+            return;
+        shape->stroke->dashes = {};
+        losses_->add({"dashes and gaps shorter than 1/4 px together", node.name, {}, "a whole line"});
     }
 
     void lose(std::string feature, const Node& node) const

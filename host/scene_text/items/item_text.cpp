@@ -32,6 +32,7 @@ struct Moment {
     std::vector<kdl::Node> shapes; ///< none: there is no drawing
     std::optional<std::string> fill;
     std::optional<std::string> stroke;
+    std::optional<std::string> dash;
     std::optional<bool> visible;
     std::optional<std::string> drawing_law; ///< of the transitions that begin here
     std::optional<std::string> paint_law;
@@ -54,12 +55,14 @@ public:
         object_ = named_node("object", text(name_));
         add_fill();
         add_line();
+        add_dashes();
         add_visibility();
         add_shapes();
         if (shape_.skin)
             add_skin(object_, *shape_.skin, writing_.rigs[shape_.skin->rig]);
         add_width();
         add_trim();
+        add_dash_offset();
         add_transform(object_, node_.transform, node_.opacity, default_pivot(drawings_), writing_);
         return std::move(object_);
     }
@@ -87,6 +90,46 @@ private:
         const std::int32_t miter = on_grid(stroke.miter_limit, miters);
         if (stroke.join == Join::miter && miter != default_miter_limit)
             set(object_, "miter", number(miter, miters));
+    }
+
+    /// All lengths stand in one text, so keys are wherever one of them has a key.
+    void add_dashes()
+    {
+        if (!shape_.stroke)
+            return;
+        std::map<std::int32_t, std::string> laws;
+        for (const art::Channel& length : shape_.stroke->dashes.lengths)
+            if (const NumberKeys keys = stored_keys(length, writing_.length, dash_lengths); keys.size() > 1)
+                for (const auto& key : keys)
+                    laws.emplace(key.ticks, key.law);
+        if (laws.empty() && has_dashes())
+            set(object_, "dash", text(dash_text(0)));
+        for (const auto& [ticks, law] : laws) {
+            Moment& moment = moments_[ticks];
+            moment.dash = dash_text(static_cast<double>(ticks) / Time::ticks_per_frame);
+            if (ticks != laws.rbegin()->first && !moment.paint_law)
+                moment.paint_law = law;
+        }
+    }
+
+    bool has_dashes() const { return shape_.stroke && !shape_.stroke->dashes.lengths.empty(); }
+
+    std::string dash_text(double time) const
+    {
+        std::string lengths;
+        for (const art::Channel& length : shape_.stroke->dashes.lengths)
+            lengths +=
+                (lengths.empty() ? "" : " ") + decimal(on_grid(length.at(time), dash_lengths), dash_lengths);
+        return lengths;
+    }
+
+    void add_dash_offset()
+    {
+        if (!has_dashes())
+            return;
+        const art::Channel& offset = shape_.stroke->dashes.offset;
+        add_quantity(object_, "dash-offset", stored_keys(offset, writing_.length, dash_offsets), dash_offsets,
+                     0);
     }
 
     template <typename Paint>
@@ -166,6 +209,8 @@ private:
             set(key, "fill", text(*moment.fill));
         if (moment.stroke)
             set(key, "stroke", text(*moment.stroke));
+        if (moment.dash)
+            set(key, "dash", text(*moment.dash));
         if (moment.visible)
             set(key, "visible", truth(*moment.visible));
         key.children = moment.shapes;

@@ -53,6 +53,17 @@ double line_area(const art::Drawing& drawing, double width)
     return length * width;
 }
 
+double drawn_share(const Dashes& dashes)
+{
+    double drawn = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < dashes.lengths.size(); ++i) {
+        drawn += i % 2 == 0 ? dashes.lengths[i] : 0;
+        sum += dashes.lengths[i];
+    }
+    return sum > 0 ? drawn / sum : 1;
+}
+
 class Spread {
 public:
     explicit Spread(double tile) : tile_{tile} {}
@@ -64,7 +75,9 @@ public:
         if (part.fill)
             add(*part.fill, area_factor * fill_area(part.drawing), opacity);
         if (part.pen)
-            add(part.pen->ink, area_factor * line_area(part.drawing, part.pen->width), opacity);
+            add(part.pen->ink,
+                area_factor * line_area(part.drawing, part.pen->width) * drawn_share(part.pen->dashes),
+                opacity);
         for (const Part& inner : part.parts)
             add(inner, area_factor, opacity);
     }

@@ -8,6 +8,7 @@
 #include "host/svg/markup/length.hpp"
 #include "host/svg/markup/svg_text.hpp"
 #include "host/svg/markup/transform_list.hpp"
+#include "host/svg/parts/motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -317,6 +318,23 @@ void PartReader::read_box(pugi::xml_node element, Part& part, Around& inside)
         clip_to_box(part, inside, {corner, corner + Vec2{width, height}});
 }
 
+/// Gives the pen its dashes. Where scenes have none such, they are what is returned, else the whole line.
+art::Drawing PartReader::dash(pugi::xml_node element, Part& part, const Around& inside)
+{
+    const double canvas_scale = std::sqrt(std::abs(inside.to_canvas.determinant()));
+    const double scale = part.pen->keeps_width ? 1 : canvas_scale;
+    Dashes dashes =
+        dashes_of(part.drawing, inside.style, inside.measure,
+                  number(element.attribute("pathLength").value()).value_or(0), scale, part.layer, *losses_);
+    if (dashes.lengths.empty())
+        return part.drawing;
+    if (!is_even(inside.to_canvas) || !are_of_scenes(dashes, part.drawing))
+        return art::dashed(part.drawing, dashes.lengths, dashes.offset, budget_);
+    draw_whole_line(dashes, part.drawing, scale);
+    part.pen->dashes = std::move(dashes);
+    return part.drawing;
+}
+
 void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
 {
     const Style& style = inside.style;
@@ -341,10 +359,7 @@ void PartReader::read_shape(pugi::xml_node element, Part& part, Around& inside)
             losses_->add({"marker", part.layer, {}, "the line without it"});
     if (!part.pen)
         return;
-    const double scale = std::sqrt(std::abs(inside.to_canvas.determinant()));
-    art::Drawing line = dashed_line(part.drawing, style, inside.measure,
-                                    number(element.attribute("pathLength").value()).value_or(0),
-                                    part.pen->keeps_width ? 1 : scale, part.layer, budget_, *losses_);
+    art::Drawing line = dash(element, part, inside);
     const bool below = part.fill && line_lies_below(style["paint-order"]);
     if (!part.fill)
         part.drawing = std::move(line);

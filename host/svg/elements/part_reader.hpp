@@ -61,6 +61,7 @@ private:
     void read_use(pugi::xml_node element, Part& part, Around& inside);
     void read_box(pugi::xml_node element, Part& part, Around& inside);
     void read_shape(pugi::xml_node element, Part& part, Around& inside);
+    art::Drawing dash(pugi::xml_node element, Part& part, const Around& inside);
 
     bool is_for_here(pugi::xml_node element, const std::string& layer);
     bool is_inside_of_itself(pugi::xml_node element, const std::string& layer);

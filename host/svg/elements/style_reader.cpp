@@ -1,11 +1,13 @@
 #include "host/svg/elements/style_reader.hpp"
 
+#include "core/math/dashes.hpp"
 #include "host/art/geometry/curves.hpp"
 #include "host/art/geometry/drawing.hpp"
 #include "host/svg/markup/length.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -153,9 +155,8 @@ std::optional<Pen> pen(const Ink& ink, const Style& style, const Measure& measur
     return pen;
 }
 
-art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const Measure& measure,
-                         double path_length, double scale, const std::string& layer, art::Budget& budget,
-                         art::Losses& losses)
+Dashes dashes_of(const art::Drawing& drawing, const Style& style, const Measure& measure, double path_length,
+                 double scale, const std::string& layer, art::Losses& losses)
 {
     const std::string_view dashes = style["stroke-dasharray"];
     auto pattern = pattern_of(dashes, measure);
@@ -171,12 +172,39 @@ art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const 
     }
     const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
     if (!(period > 0))
-        return drawing;
+        return {};
     if (period * scale < finest_dashes) {
         losses.add({"stroke-dasharray", layer, {}, "an even line: the dashes are too fine to be seen"});
-        return drawing;
+        return {};
     }
-    return art::dashed(drawing, pattern, offset, budget);
+    if (pattern.size() % 2 != 0)
+        pattern.insert(pattern.end(), pattern.begin(), pattern.end());
+    return {std::move(pattern), offset};
+}
+
+bool are_of_scenes(const Dashes& dashes, const art::Drawing& drawing)
+{
+    constexpr double most = 800; // of the 1024 of an object, as lengths are rounded
+    const double period = std::accumulate(dashes.lengths.begin(), dashes.lengths.end(), 0.0);
+    const double strokes = static_cast<double>(drawing.outlines.size());
+    const double count = static_cast<double>(dashes.lengths.size()) / 2;
+    return dashes.lengths.size() <= kfast::Dashes::max_lengths &&
+           (length_of(drawing) / period + 2 * strokes) * count < most;
+}
+
+void draw_whole_line(Dashes& dashes, const art::Drawing& drawing, double scale)
+{
+    constexpr double near = 0.02;
+    constexpr double spare = 0.5; // px
+    if (drawing.outlines.size() != 1 || dashes.lengths.size() != 2)
+        return;
+    const double length = length_of(drawing);
+    if (std::abs(dashes.lengths[0] - length) > near * length || dashes.lengths[1] < (1 - near) * length)
+        return;
+    const double factor = (length + spare / scale) / std::min(dashes.lengths[0], dashes.lengths[1]);
+    for (double& each : dashes.lengths)
+        each *= std::max(factor, 1.0);
+    dashes.offset *= std::max(factor, 1.0);
 }
 
 }

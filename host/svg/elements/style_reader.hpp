@@ -27,10 +27,16 @@ double font_size(const Style& style, const Measure& outside);
 std::optional<Pen> pen(const Ink& ink, const Style& style, const Measure& measure, const std::string& layer,
                        art::Losses& losses);
 
-/// The drawing with its line dashed, or unchanged if it is not. `path_length` is the length that the author
-/// declares, 0 if none; `scale` is how much larger it is on the canvas.
-art::Drawing dashed_line(const art::Drawing& drawing, const Style& style, const Measure& measure,
-                         double path_length, double scale, const std::string& layer, art::Budget& budget,
-                         art::Losses& losses);
+/// How the line of a drawing is dashed; the number of lengths is even. `path_length` is the length that the
+/// author declares, 0 if none; `scale` is how much larger it is on the canvas.
+Dashes dashes_of(const art::Drawing& drawing, const Style& style, const Measure& measure, double path_length,
+                 double scale, const std::string& layer, art::Losses& losses);
+
+/// Whether a scene has such dashes. Else they have to be drawn.
+bool are_of_scenes(const Dashes& dashes, const art::Drawing& drawing);
+
+/// Makes a dash that is about as long as the line a bit longer than it, whatever is rounded: an offset draws
+/// the line, and neither end of it is to be seen too early or too late.
+void draw_whole_line(Dashes& dashes, const art::Drawing& drawing, double scale);
 
 }

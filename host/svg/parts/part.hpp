@@ -12,6 +12,13 @@
 
 namespace kfast::svg {
 
+/// How a line is broken, in the units of the drawing.
+struct Dashes {
+    std::vector<double> lengths; ///< of dashes and gaps alternately; none: no dashes
+    double offset = 0;
+    friend bool operator==(const Dashes&, const Dashes&) = default;
+};
+
 /// What a line is drawn with.
 struct Pen {
     Ink ink;
@@ -20,6 +27,7 @@ struct Pen {
     Join join = Join::miter;
     double miter_limit = 4;
     bool keeps_width = false; ///< the width is in pixels of the canvas, however the drawing is scaled
+    Dashes dashes = {};
     friend bool operator==(const Pen&, const Pen&) = default;
 };
 

@@ -153,7 +153,38 @@ private:
                 .width = channel(widths),
                 .cap = pen.cap,
                 .join = pen.join,
-                .miter_limit = pen.miter_limit};
+                .miter_limit = pen.miter_limit,
+                .dashes = dashes(pen)};
+    }
+
+    /// Lengths that grow and shrink with the width, of the moments that have as many of them as `pen`.
+    art::Dashes dashes(const Pen& pen)
+    {
+        const std::size_t count = pen.dashes.lengths.size();
+        report_change("stroke-dasharray",
+                      [&](const Part& part) { return part.pen.value_or(pen).dashes.lengths.size(); });
+        const auto values = [&](const auto& length) {
+            std::vector<double> lengths;
+            for (std::size_t i = 0; i < moments_.size(); ++i) {
+                const Pen own = moments_[i].part->pen.value_or(pen);
+                const bool has_as_many = own.dashes.lengths.size() == count;
+                lengths.push_back(pen_scale(i, own) * length(has_as_many ? own.dashes : pen.dashes));
+            }
+            return channel(lengths);
+        };
+        art::Dashes dashes;
+        if (count == 0)
+            return dashes;
+        for (std::size_t length = 0; length < count; ++length)
+            dashes.lengths.push_back(values([length](const Dashes& own) { return own.lengths[length]; }));
+        dashes.offset = values([](const Dashes& own) { return own.offset; });
+        return dashes;
+    }
+
+    /// From units of the drawing to those of the shape.
+    double pen_scale(std::size_t moment, const Pen& pen) const
+    {
+        return pen.keeps_width ? 1 : scale_factor(motion_ ? motion_->at_rest : ways_[moment]);
     }
 
     /// The width on the canvas, or in the node around; without a line there, that of the first that has one.

@@ -25,6 +25,15 @@ std::int32_t random_value(Dice& dice, Property property, std::size_t colours)
         return dice.within(0, 1);
     case Property::trim_mode:
         return dice.within(0, max_trim_mode);
+    case Property::max_dashes:
+        return dice.within(1, most_dashes);
+    case Property::dash_1:
+    case Property::gap_1:
+    case Property::dash_2:
+    case Property::gap_2:
+    case Property::dash_3:
+    case Property::gap_3:
+        return dice.within(0, 2000);
     case Property::fill:
     case Property::stroke:
         return static_cast<std::int32_t>(dice.below(colours));
@@ -39,7 +48,8 @@ scene::Track random_track(Dice& dice, Property property, std::size_t colours)
 {
     scene::Track track{property, {}, may_be_smooth(property) && dice.sometimes()};
     RisingTimes times{dice};
-    const int most = property == Property::trim_mode ? 1 : 3; // it does not change
+    const bool is_mode = property == Property::trim_mode || property == Property::max_dashes;
+    const int most = is_mode ? 1 : 3; // it does not change
     for (int left = dice.within(1, most); left > 0; --left)
         track.keys.push_back({.time = times.next(),
                               .laws = random_laws(dice),
@@ -61,7 +71,7 @@ bool may_have(const scene::Object* object, Property property)
     case Property::trim_mode:
         return object != nullptr && !object->has_depths;
     default:
-        return true;
+        return !is_of_dashes(property) || (object != nullptr && object->stroke && !object->has_depths);
     }
 }
 

@@ -24,6 +24,8 @@ bool changes_nothing(const scene::Track& track, const scene::Item& item)
         return track.keys.size() == 1 && value == 255;
     case Property::visible:
         return track.keys.size() == 1 && value == 1;
+    case Property::max_dashes:
+        return track.keys.size() == 1 && value == usual_max_dashes;
     case Property::trim_to:
         return track.keys.size() == 1 && value == path_whole;
     case Property::fill:

@@ -121,17 +121,65 @@ TEST_CASE("corners without tangents are rounded, but not the ends of a path")
     CHECK(open.outlines[0].curves.size() == 1);
 }
 
-TEST_CASE("dashes are pieces of the line, and begin the pattern at the offset")
+namespace {
+
+/// A line with these members of "d".
+std::string dashed_line(const std::string& dashes)
 {
-    const std::string dashes =
-        R"({"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 20}}, {"n": "g", "v": {"k": 10}}, {"n": "o", "v": )";
-    const art::Drawing still = drawing_at(line + ',' + dashes + R"({"k": 5}}]})", 0);
+    return line + R"(, {"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [)" + dashes + "]}";
+}
+
+std::string dash(const std::string& name, const std::string& value)
+{
+    return R"({"n": ")" + name + R"(", "v": )" + value + "}";
+}
+
+/// As many lengths as no scene has, one after the other.
+std::string eight(const std::string& dash_length, const std::string& gap)
+{
+    std::string lengths;
+    for (int i = 0; i < 4; ++i)
+        lengths += (i == 0 ? "" : ", ") + dash("d", dash_length) + ", " + dash("g", gap);
+    return lengths;
+}
+
+}
+
+TEST_CASE("dashes are those of the line, still or moving")
+{
+    const std::string pattern = dash("d", R"({"k": 20})") + ", " + dash("g", R"({"k": 10})") + ", ";
+    const ReadShapes read = read_shapes(dashed_line(pattern + dash("o", even("[0]", "[-60]"))));
+    const art::Shape& it = shape(read.nodes.at(0));
+    CHECK(it.drawing.is_still());
+    CHECK(it.drawing.value().outlines.size() == 1);
+    REQUIRE(it.stroke->dashes.lengths.size() == 2);
+    CHECK(it.stroke->dashes.lengths[0].value() == 20);
+    CHECK(it.stroke->dashes.lengths[1].value() == 10);
+    CHECK(it.stroke->dashes.offset.at(2.5) == doctest::Approx(-15));
+    const ReadShapes solid =
+        read_shapes(dashed_line(dash("d", R"({"k": 20})") + ", " + dash("g", R"({"k": 0})")));
+    CHECK(shape(solid.nodes.at(0)).stroke->dashes.lengths.empty());
+}
+
+TEST_CASE("what is trimmed is dashed, too")
+{
+    const ReadShapes read = read_shapes(line + trim(R"("e": )" + even("[0]", "[100]")) +
+                                        dashed_line(dash("d", R"({"k": 20})")).substr(line.size() + 2));
+    REQUIRE(read.nodes.size() == 1);
+    CHECK(shape(read.nodes[0]).trim);
+    CHECK(shape(read.nodes[0]).stroke->dashes.lengths.size() == 1);
+}
+
+TEST_CASE("dashes that scenes do not have are pieces of the line, and begin the pattern at the offset")
+{
+    const std::string lengths = eight(R"({"k": 20})", R"({"k": 10})") + ", ";
+    const art::Drawing still = drawing_at(dashed_line(lengths + dash("o", R"({"k": 5})")), 0);
     REQUIRE(still.outlines.size() == 4);
     CHECK(still.outlines[0].from.x == doctest::Approx(0));
     CHECK(still.outlines[0].curves[0].to.x == doctest::Approx(15));
     CHECK(still.outlines[3].from.x == doctest::Approx(85));
     CHECK(still.outlines[3].curves[0].to.x == doctest::Approx(100));
-    const art::Drawing moving = drawing_at(line + ',' + dashes + even("[0]", "[-60]") + "}]}", 2.5);
+    const art::Drawing moving = drawing_at(dashed_line(lengths + dash("o", even("[0]", "[-60]"))), 2.5);
     CHECK(moving.outlines[0].from.x == doctest::Approx(0));
     CHECK(moving.outlines[0].curves[0].to.x == doctest::Approx(5));
     CHECK(moving.outlines[1].from.x == doctest::Approx(15));
@@ -139,12 +187,11 @@ TEST_CASE("dashes are pieces of the line, and begin the pattern at the offset")
 
 TEST_CASE("dashes without length are dots, and too many dashes are one line")
 {
-    const std::string dots =
-        R"({"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 0}}, {"n": "g", "v": {"k": )";
-    const art::Drawing few = drawing_at(line + ',' + dots + "40}}]}", 0);
+    const art::Drawing few = drawing_at(dashed_line(eight(R"({"k": 0})", R"({"k": 40})")), 0);
     REQUIRE(few.outlines.size() == 3);
     CHECK(few.outlines[1].from.x == doctest::Approx(40));
-    const ReadShapes many = read_shapes(line + ',' + dots + "0.01}}]}");
+    const ReadShapes many =
+        read_shapes(dashed_line(dash("d", R"({"k": 0})") + ", " + dash("g", R"({"k": 0.01})")));
     CHECK(shape(many.nodes[0]).drawing.value().outlines.size() == 1);
     REQUIRE(many.losses.list().size() == 1);
     CHECK(many.losses.list()[0].feature == "too many dashes");
@@ -152,10 +199,8 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
 
 TEST_CASE("too many dashes to move stand still")
 {
-    const ReadShapes read = read_shapes(
-        line +
-        R"(, {"ty": "st", "c": {"k": [0, 1, 0, 1]}, "w": {"k": 2}, "d": [{"n": "d", "v": {"k": 0.25}}, {"n": "o", "v": )" +
-        even("[0]", "[9]") + "}]}");
+    const std::string lengths = eight(R"({"k": 0.25})", R"({"k": 0.25})") + ", ";
+    const ReadShapes read = read_shapes(dashed_line(lengths + dash("o", even("[0]", "[9]"))));
     CHECK(shape(read.nodes.at(0)).drawing.is_still());
     CHECK(shape(read.nodes[0]).drawing.value().outlines.size() == 200);
     REQUIRE(read.losses.list().size() == 1);

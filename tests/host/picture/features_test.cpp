@@ -131,7 +131,7 @@ TEST_CASE("what a program lacks has a name")
     CHECK(error_text(Error::needs_drawings) ==
           "needs_drawings: the program was built without drawings as inputs");
     CHECK(error_text(Error::needs_trims) ==
-          "needs_trims: the program was built without strokes that are drawn in part");
+          "needs_trims: the program was built without strokes that are drawn in part or dashed");
     CHECK(error_text(Error::needs_springs) ==
           "needs_springs: the program was built without springs and bounces");
 }

@@ -106,7 +106,7 @@ TEST_CASE("laws with mistakes")
     CHECK(object("key 0 speed=1 { empty }\nkey 1 { empty }").findings ==
           "4:7 error: key has no property \"speed\" (allowed: law, law-x, law-y, x, y, z, "
           "rotate, rotate-x, rotate-y, rotate-z, scale, scale-x, scale-y, opacity, order, visible, match, "
-          "fill, stroke, width, trim-from, trim-to, trim-offset)");
+          "fill, stroke, width, trim-from, trim-to, trim-offset, dash, dash-offset)");
 }
 
 TEST_CASE("a law on the last key is warned of")

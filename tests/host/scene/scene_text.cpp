@@ -47,9 +47,10 @@ std::string drawing_and_findings(const SceneText& text)
 }
 
 constexpr std::array<std::string_view, property_count> property_names{
-    "x",       "y",       "z",       "rotation_x", "rotation_y", "rotation",    "scale_x",
-    "scale_y", "pivot_x", "pivot_y", "along",      "opacity",    "order",       "visible",
-    "fill",    "stroke",  "width",   "trim_from",  "trim_to",    "trim_offset", "trim"};
+    "x",       "y",         "z",       "rotation_x",  "rotation_y", "rotation",    "scale_x", "scale_y",
+    "pivot_x", "pivot_y",   "along",   "opacity",     "order",      "visible",     "fill",    "stroke",
+    "width",   "trim_from", "trim_to", "trim_offset", "trim",       "dash_offset", "dash_1",  "gap_1",
+    "dash_2",  "gap_2",     "dash_3",  "gap_3",       "max_dashes"};
 
 std::string text_of(const VelocityLaw& law)
 {

@@ -68,7 +68,6 @@ TEST_CASE("a property of objects at a shape is sent there")
 TEST_CASE("what there is not is said with the page that has another way")
 {
     CHECK(refers_to_absent(in_object("gradient=red"), "gradients"));
-    CHECK(refers_to_absent(in_object("stroke-dasharray=\"4 2\""), "dashes"));
     CHECK(refers_to_absent(in_object("mask=m"), "masks"));
     CHECK(refers_to_absent(in_object("", "key 0 law=step-start { circle 9 9 r=1 }; key 9 { circle 9 9 r=2 }"),
                            "jumps at the beginning"));

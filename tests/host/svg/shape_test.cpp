@@ -99,24 +99,50 @@ TEST_CASE("a symbol is as large as its use says")
     CHECK(box(shape(document, "it").drawing.value()) == Box{5, 6, 45, 46});
 }
 
-TEST_CASE("dashes are strokes of their own, above the fill")
+TEST_CASE("dashes are those of the line")
 {
-    const auto document = read_drawing(R"(
-        <rect id="it" width="30" height="10" fill="red" stroke="blue" stroke-dasharray="5 5"/>
-        <path id="only" d="M0 0H20" stroke="blue" stroke-dasharray="5"/>)");
+    const auto document = read_drawing(R"svg(
+        <rect id="it" width="30" height="10" fill="red" stroke="blue" stroke-dasharray="5 6"/>
+        <path id="only" d="M0 0H20" stroke="blue" stroke-dasharray="5" stroke-dashoffset="2"/>
+        <path id="grown" d="M0 0H20" stroke="blue" stroke-dasharray="5 3" transform="scale(2)"/>)svg");
+    const auto lengths = [&](const char* name) {
+        std::vector<double> values;
+        for (const art::Channel& length : shape(document, name).stroke->dashes.lengths)
+            values.push_back(length.value());
+        return values;
+    };
+    CHECK(shape(document, "it").drawing.value().outlines.size() == 1);
+    CHECK(shape(document, "it").fill);
+    CHECK(lengths("it") == std::vector<double>{5, 6});
+    CHECK(lengths("only") == std::vector<double>{5, 5});
+    CHECK(shape(document, "only").stroke->dashes.offset.value() == 2);
+    CHECK(lengths("grown") == std::vector<double>{10, 6});
+}
+
+TEST_CASE("dashes that scenes do not have are strokes of their own, above the fill")
+{
+    const auto document = read_drawing(R"svg(
+        <rect id="it" width="30" height="10" fill="red" stroke="blue" stroke-dasharray="5 5 5 5 5 5 5 5"/>)svg");
     CHECK(shape(document, "it").drawing.value().outlines.size() == 1);
     CHECK_FALSE(shape(document, "it").stroke);
     CHECK(shape(document, "it line").drawing.value().outlines.size() == 8);
     CHECK_FALSE(shape(document, "it line").fill);
-    CHECK(shape(document, "only").drawing.value().outlines.size() == 2);
-    CHECK(box({{shape(document, "only").drawing.value().outlines[1]}}) == Box{10, 0, 15, 0});
+}
+
+TEST_CASE("a dash as long as its line is a bit longer, so that an offset draws it from nothing to all")
+{
+    const auto document = read_drawing(R"(
+        <path id="it" d="M0 0H100" stroke="blue" stroke-dasharray="100" stroke-dashoffset="100"/>)");
+    const art::Dashes& dashes = shape(document, "it").stroke->dashes;
+    CHECK(dashes.lengths[0].value() == doctest::Approx(100.5));
+    CHECK(dashes.offset.value() == doctest::Approx(100.5));
 }
 
 TEST_CASE("an author's length of a path counts for its dashes")
 {
     const auto document =
         read_drawing(R"(<path id="it" d="M0 0H100" stroke="blue" stroke-dasharray="1 1" pathLength="10"/>)");
-    CHECK(shape(document, "it").drawing.value().outlines.size() == 5);
+    CHECK(shape(document, "it").stroke->dashes.lengths[0].value() == 10);
 }
 
 TEST_CASE("a line below its fill is a figure below it")

@@ -45,14 +45,14 @@ bool takes_stroked_track(const Bytes& track)
 
 }
 
-TEST_CASE("tracks rise by their properties, of which there are twenty-one")
+TEST_CASE("tracks rise by their properties, of which there are twenty-nine")
 {
     const Bytes x = bytes({0x80, 2});
     const Bytes y = bytes({0x81, 2});
     CHECK(takes_tracks(2, joined({x, y})));
     CHECK_FALSE(takes_tracks(2, joined({y, x})));
     CHECK_FALSE(takes_tracks(2, joined({x, x})));
-    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 21, 2})));
+    CHECK_FALSE(takes_tracks(1, bytes({0x80 | 29, 2})));
     CHECK_FALSE(takes_tracks(1, bytes({0xFF, 2})));
     CHECK_FALSE(takes_tracks(3, joined({x, y})));
 }
@@ -184,13 +184,13 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
         const auto property = static_cast<Property>(number);
         if (property == Property::along)
             continue; // has a path
-        const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}});
+        const Bytes smooth = smooth_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}});
         CAPTURE(number);
-        const bool is_amount = property < Property::order || property == Property::width ||
-                               (is_of_trim(property) && property != Property::trim_mode);
+        const bool is_mode = property == Property::trim_mode || property == Property::max_dashes;
+        const bool is_amount =
+            property < Property::order || property == Property::width || (cuts_strokes(property) && !is_mode);
         CHECK(takes_stroked_track(smooth) == is_amount);
-        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 0}})) ==
-              (property != Property::trim_mode));
+        CHECK(takes_stroked_track(moving_track(property, {{{}, 0, 1}, {Time::frame(2), 0, 1}})) == !is_mode);
         CHECK_FALSE(takes_stroked_track(bytes({0xC0 | number, 2})));
     }
     SUBCASE("keys of smooth tracks rise in time and have values in their ranges")
@@ -207,7 +207,7 @@ TEST_CASE("only amounts may be smooth, and nothing that is fixed")
     }
 }
 
-TEST_CASE("what is drawn in part is an object, by shares within its length")
+TEST_CASE("what is drawn in part or dashed is an object, by shares and lengths within their ranges")
 {
     const auto takes = [](Property property, std::int32_t value) {
         return takes_stroked_track(fixed_track(property, value));
@@ -222,6 +222,18 @@ TEST_CASE("what is drawn in part is an object, by shares within its length")
     CHECK_FALSE(takes(Property::trim_offset, 1'048'577));
     CHECK(takes(Property::trim_mode, 2));
     CHECK_FALSE(takes(Property::trim_mode, 3));
+    for (const Property length : {Property::dash_1, Property::gap_1, Property::gap_3}) {
+        CHECK(takes(length, 0));
+        CHECK(takes(length, 1'048'576));
+        CHECK_FALSE(takes(length, -1));
+        CHECK_FALSE(takes(length, 1'048'577));
+    }
+    CHECK(takes(Property::dash_offset, -1'048'576));
+    CHECK_FALSE(takes(Property::dash_offset, 1'048'577));
+    CHECK(takes(Property::max_dashes, 1024));
+    CHECK_FALSE(takes(Property::max_dashes, 1025));
+    CHECK_FALSE(takes(Property::max_dashes, 0));
+    CHECK_FALSE(takes_tracks(1, fixed_track(Property::dash_1, 64))); // not stroked
     const Bytes half = fixed_track(Property::trim_to, 32768);
     CHECK_FALSE(takes_items(joined({bytes({0x05, 1}), half, block({})}))); // a group
     RawScene scene;

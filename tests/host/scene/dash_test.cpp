@@ -1,0 +1,85 @@
+#include "tests/host/scene/scene_text.hpp"
+
+#include <doctest/doctest.h>
+#include <string>
+
+namespace kfast::test {
+namespace {
+
+bool has_finding(const std::string& object, const std::string& what)
+{
+    CAPTURE(object);
+    return items_read(object).find(what) != std::string::npos;
+}
+
+}
+
+TEST_CASE("an object and its keys say how its strokes are dashed")
+{
+    CHECK(items_read("object o stroke=red dash=\"8 4.5\" dash-offset=-3 { line 0 0 9 9 }") ==
+          "object o @0 dash_offset[-192] dash_1[512] gap_1[288]");
+    CHECK(
+        items_read(
+            "object o stroke=red { line 0 0 9 9; key 0 dash=\"8, 4\"; key 10 dash=\"1 2\" dash-offset=6 }") ==
+        "object o @0 dash_offset[0:0 10:384] dash_1[0:512 10:64] gap_1[0:256 10:128]");
+    CHECK(items_read("object o stroke=red dash=4 { line 0 0 9 9; track dash-offset { at 0 0; at 5 8 } }") ==
+          "object o @0 dash_offset~[0:0 5:512] dash_1[256] gap_1[256]");
+}
+
+TEST_CASE("an odd number of lengths repeats, and so do fewer in one key than in another")
+{
+    CHECK(items_read("object o stroke=red dash=\"3 2 1\" { line 0 0 9 9 }") ==
+          "object o @0 dash_1[192] gap_1[128] dash_2[64] gap_2[192] dash_3[128] gap_3[64]");
+    CHECK(items_read("object o stroke=red { line 0 0 9 9; key 0 dash=2; key 9 dash=\"4 3 2 1\" }") ==
+          "object o @0 dash_1[0:128 9:256] gap_1[0:128 9:192] dash_2[0:128 9:128] gap_2[0:128 9:64]");
+    CHECK(has_finding("object o stroke=red { line 0 0 9 9; key 0 dash=\"1 2 3 4\"; key 9 dash=\"1 2 3\" }",
+                      "4 lengths do not become the 6 of another key"));
+}
+
+TEST_CASE("lengths may be expressions")
+{
+    CHECK(items_read("let a=6\nobject o stroke=red dash=\"a a/2\" { line 0 0 9 9 }")
+              .find("dash_1[384] gap_1[192]") != std::string::npos);
+}
+
+TEST_CASE("patterns with mistakes")
+{
+    for (const std::string dash : {"\"\"", "\"1 2 3 4 5\"", "\"1 2 3 4 5 6 7\""})
+        CHECK(has_finding("object o stroke=red dash=" + dash + " { line 0 0 9 9 }",
+                          "a pattern has 1, 2, 3, 4 or 6 lengths"));
+    CHECK(has_finding("object o stroke=red dash=\"4 -1\" { line 0 0 9 9 }", "out of range"));
+    CHECK(has_finding("object o stroke=red dash=\"4 much\" { line 0 0 9 9 }", "error"));
+    CHECK(has_finding("object o stroke=red dash=-4 { line 0 0 9 9 }", "out of range"));
+    CHECK(has_finding("object o stroke=red dash-offset=20000 dash=4 { line 0 0 9 9 }", "out of range"));
+    CHECK(has_finding("object o stroke=red dash-offset=2 { line 0 0 9 9 }",
+                      "dash-offset does nothing without dashes"));
+    CHECK(has_finding("object o stroke=red { line 0 0 9 9; key 0 x=0; key 9 dash=4 }",
+                      "a later key has dashes, but the first one has none"));
+    CHECK(has_finding("object o stroke=red { line 0 0 9 9; track dash { at 0 4; at 9 8 } }",
+                      "dash has no track by key times"));
+    CHECK(has_finding("object o fill=red { rect 0 0 9 9; key 0 dash=4 }",
+                      "this object has no stroke to change"));
+    CHECK(has_finding("object o stroke=red dash=4 { cuboid 10 10 0 9 9 9 }",
+                      "a drawing with depth is not dashed"));
+}
+
+TEST_CASE("a player draws up to 1024 dashes of an object")
+{
+    CHECK(items_read("object o stroke=red dash=1 { line 0 0 200 0 }").find("max_dashes[127]") !=
+          std::string::npos);
+    CHECK(has_finding("object o stroke=red dash=\"0.05 0.05\" { line 0 0 200 0 }",
+                      "error: these strokes come to 21"));
+    CHECK(items_read("object o stroke=red dash=\"0 0\" { line 0 0 200 0 }") == "object o @0");
+}
+
+TEST_CASE("dashed pies change their points, so that their lines are dashed")
+{
+    CHECK(items_read("object o stroke=red dash=4 { key 0 { pie 50 50 r=40 from=0 to=90 }\n"
+                     "key 10 { pie 50 50 r=40 from=0 to=180 } }")
+              .starts_with("object o @0,10 dash_1"));
+    CHECK(items_read("object o stroke=red dash=4 { key 0 { arc 50 50 r=40 from=0 to=90 }\n"
+                     "key 10 { arc 50 50 r=40 from=0 to=180 } }")
+              .starts_with("object o @0 trim_from[0] trim_to"));
+}
+
+}
