@@ -130,9 +130,11 @@ inline constexpr BitField<8, 8, 16> left;
 
 /// "Skins"
 namespace skin {
-inline constexpr std::int32_t whole_weight = 256; ///< all weights of a point
-inline constexpr BitField<0, 2> bones;            ///< of a run, less 1
-inline constexpr BitField<2, 30> points;          ///< of a run, less 1
+inline constexpr std::int32_t whole_weight = 65'536; ///< all weights of a point
+inline constexpr std::int32_t coarse_weight = 256;   ///< the unit of weights in one byte
+inline constexpr BitField<0, 2> bones;               ///< of a run, less 1
+inline constexpr BitFlag<2> has_fine_weights;        ///< in two bytes, else in one
+inline constexpr BitField<3, 29> points;             ///< of a run, less 1
 
 /// What an object has in place of the offset of a skin when the bone moves all points. Its own inverse.
 constexpr std::int32_t of_bone(std::int32_t bone) { return -1 - bone; }

@@ -98,11 +98,11 @@ struct Bones {
 /// How far a point follows a bone.
 struct BoneWeight {
     std::size_t bone = 0; ///< index into Bones::bones
-    int weight = 0;       ///< in 1/256, at least 1
+    int weight = 0;       ///< in 1/65536, at least 1
     friend bool operator==(const BoneWeight&, const BoneWeight&) = default;
 };
 
-/// One to four bones, their weights adding up to 256; the heaviest first.
+/// One to four bones, their weights adding up to 65,536; the heaviest first.
 using Binding = std::vector<BoneWeight>;
 
 /// Which bones deform an object.

@@ -126,6 +126,27 @@ std::vector<SkinnedDrawing> skinned_drawings(const scene::Object& object, Diagno
     return drawings;
 }
 
+bool has_fine_weights(const scene::Binding& binding)
+{
+    return std::ranges::any_of(
+        binding, [](const scene::BoneWeight& share) { return share.weight % kfb::skin::coarse_weight != 0; });
+}
+
+/// The last bone has no weight of its own.
+void write_binding(const scene::Binding& binding, bool is_fine, ByteWriter& bytes)
+{
+    for (const scene::BoneWeight& share : binding) {
+        bytes.u8(static_cast<std::uint32_t>(share.bone));
+        if (&share == &binding.back())
+            return;
+        const auto weight = static_cast<std::uint32_t>(share.weight);
+        if (is_fine)
+            bytes.u16(weight);
+        else
+            bytes.u8(weight / kfb::skin::coarse_weight);
+    }
+}
+
 /// Points in a row that follow the same bones are stored as one run.
 void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
 {
@@ -133,12 +154,10 @@ void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
         const auto end = std::find_if(run, bindings.end(),
                                       [run](const scene::Binding& binding) { return binding != *run; });
         const auto points = static_cast<std::uint32_t>(end - run);
-        bytes.varint(kfb::skin::points.put(points - 1) | kfb::skin::bones.put(run->size() - 1));
-        for (const scene::BoneWeight& share : *run) {
-            bytes.u8(static_cast<std::uint32_t>(share.bone));
-            if (&share != &run->back())
-                bytes.u8(static_cast<std::uint32_t>(share.weight));
-        }
+        const bool is_fine = has_fine_weights(*run);
+        bytes.varint(kfb::skin::points.put(points - 1) | kfb::skin::has_fine_weights.put(is_fine) |
+                     kfb::skin::bones.put(run->size() - 1));
+        write_binding(*run, is_fine, bytes);
         run = end;
     }
 }

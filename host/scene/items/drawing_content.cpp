@@ -191,7 +191,7 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
     };
     if (has_property(object, "fill"))
         refuse(property_span(object, "fill"), "fill", "use stroke=COLOUR alone");
-    for (const std::string_view property : {"skin", "bone"})
+    for (const std::string_view property : {"skin", "bone", "bones"})
         if (has_property(object, property))
             refuse(property_span(object, property), property, "turn the object, or a group around it");
     if (content.weights != nullptr && !has_property(object, "skin"))

@@ -123,9 +123,9 @@ private:
         object.keys = read_drawings(content);
         if (is_wire_frame(object.keys))
             return set_wires(content, object);
-        object.skin = read_skin(
-            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
-            object.keys, context_);
+        object.skin = read_skin({properties_.skin, properties_.bone, properties_.bones,
+                                 properties_.turns_changes, content.weights, place_},
+                                object.keys, context_);
         object.backbone_keys = read_skeletons(content.keys, context_);
         object.driver = properties_.driver.driver();
         object.live = live_;
@@ -168,7 +168,7 @@ private:
         const auto refuse = [this](SourceSpan place, std::string_view deformer) {
             context_.report.error(place, "the text of an input has no " + std::string{deformer}, hint);
         };
-        for (const std::string_view property : {"skin", "bone"})
+        for (const std::string_view property : {"skin", "bone", "bones"})
             if (has_property(node_, property))
                 refuse(property_span(node_, property), property);
         if (content.weights != nullptr)
