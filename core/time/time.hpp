@@ -72,6 +72,7 @@ public:
     constexpr SceneTime(Time time = {}, std::span<const Time> inputs = {}) : time_{time}, inputs_{inputs} {}
 
     constexpr Time time() const { return time_; }
+    constexpr std::span<const Time> inputs() const { return inputs_; }
     constexpr Time at(Driver driver) const
     {
         if (driver.is_time())

@@ -8,7 +8,7 @@
 #include "host/scene/items/skeleton_reader.hpp"
 #include "host/scene/items/symbol_use.hpp"
 #include "host/scene/items/track_builder.hpp"
-#include "host/scene/shapes/text_reader.hpp"
+#include "host/scene/shapes/label_reader.hpp"
 #include "host/scene/skeleton/skin_reader.hpp"
 #include "host/scene/values/input_user.hpp"
 #include "host/scene/values/item_values.hpp"
@@ -159,7 +159,7 @@ private:
         refuse_duplicates(content);
         object.label = read_label(*content.drawn.front(), context_);
         if (object.label)
-            set_default_pivot(object.label->at, properties_.values);
+            set_default_pivot(object.label->pivot, properties_.values);
     }
 
     void refuse_deformers_of_label(const DrawingContent& content)

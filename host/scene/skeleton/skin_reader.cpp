@@ -103,9 +103,11 @@ bool check_keys(const std::vector<Key>& keys, const Drawing& first, SceneContext
     bool good = true;
     for (const Key& key : keys) {
         const std::size_t strokes = key.drawing.strokes.size();
-        if (key.match == Match::length)
-            good =
-                context.report.error(key.place, "match=length does not work with a skin", "use match=count");
+        if (key.match != Match::count)
+            good = context.report.error(key.place,
+                                        std::string{"match="} + std::string{match_name(key.match)} +
+                                            " does not work with a skin",
+                                        "use match=count");
         if (strokes != 0 && strokes != first.strokes.size())
             good = context.report.error(key.place,
                                         "with a skin, all drawings have as many strokes as the first: " +
