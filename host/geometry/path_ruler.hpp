@@ -21,8 +21,8 @@ public:
     /// Pixels.
     double length() const { return distances_.back(); }
     bool is_closed() const { return is_closed_; }
-    /// What lies `distance` pixels behind the beginning. Beyond its ends a path goes straight on, or, if it is
-    /// closed, round again.
+    /// What lies `distance` pixels behind the beginning. Beyond its ends a path goes straight on, or, if it
+    /// is closed, round again.
     PathPlace at(double distance) const;
 
 private:

@@ -48,8 +48,10 @@ scene::Stroke drawn_together(const scene::Stroke& stroke, scene::Point point)
 {
     scene::Stroke small{.from = point, .segments = stroke.segments};
     for (scene::Segment& segment : small.segments)
-        segment = {.cubic = segment.cubic, .c1 = segment.cubic ? point : segment.c1,
-                   .c2 = segment.cubic ? point : segment.c2, .to = point};
+        segment = {.cubic = segment.cubic,
+                   .c1 = segment.cubic ? point : segment.c1,
+                   .c2 = segment.cubic ? point : segment.c2,
+                   .to = point};
     return small;
 }
 
@@ -117,7 +119,8 @@ std::optional<MatchedDrawings> match_by_letters(const scene::Key& a, const scene
     return match.take();
 }
 
-std::optional<MatchedDrawings> matched_drawings(const scene::Key& key, const scene::Key& next, bool is_stroked)
+std::optional<MatchedDrawings> matched_drawings(const scene::Key& key, const scene::Key& next,
+                                                bool is_stroked)
 {
     switch (key.match) {
     case scene::Match::count:

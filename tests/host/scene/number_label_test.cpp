@@ -10,8 +10,8 @@ namespace {
 
 std::string scene_text(const std::string& properties, const std::string& range)
 {
-    return "input n " + range + "\nobject o stroke=red { text input=n at=\"9,40\" size=32 font=hershey-sans " +
-           properties + " }";
+    return "input n " + range +
+           "\nobject o stroke=red { text input=n at=\"9,40\" size=32 font=hershey-sans " + properties + " }";
 }
 
 scene::Label label(const std::string& properties, const std::string& range = "min=0 max=240")
@@ -82,8 +82,7 @@ TEST_CASE("a label of a number has its digits, and what else it needs")
 
 TEST_CASE("what is wrong with a format is told at its place")
 {
-    const std::string hint =
-        " (write a digit as #, _ or 0, and what stands around it, as in \"##0.0 km/h\")";
+    const std::string hint = " (write a digit as #, _ or 0, and what stands around it, as in \"##0.0 km/h\")";
     CHECK(found_in("format=\"km/h\"") == "4:79 error: this format has no digit" + hint);
     CHECK(found_in("format=\"\"") == "4:79 error: this format has no digit" + hint);
     CHECK(found_in("format=\"0#\"") == "4:79 error: # and _ stand in front of 0" + hint);
@@ -95,7 +94,8 @@ TEST_CASE("what is wrong with a format is told at its place")
           "4:79 error: at most 45 characters stand around a number" + hint);
     CHECK(found_in("format=\"0\\nx\"") == "4:79 error: a format is one line of visible characters" + hint);
     CHECK(found_in("format=\"0 °C\"")
-              .starts_with("4:54 error: the font \"hershey-sans\" has no \"°\" (U+00B0), which this number has"));
+              .starts_with(
+                  "4:54 error: the font \"hershey-sans\" has no \"°\" (U+00B0), which this number has"));
     CHECK(found_in("format=0", "kind=text glyphs=ab max=2") ==
           "4:72 error: only a number has a format (remove it, or let the input be a number)");
     CHECK(found_in("spacing=4000") ==
