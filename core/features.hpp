@@ -149,6 +149,7 @@ struct Affine;
 struct BackbonesView;
 struct DrawingInput;
 struct Fraction;
+struct InputView;
 struct ItemView;
 struct Key;
 struct LabelView;
@@ -159,7 +160,6 @@ struct Pen;
 struct Point;
 struct Progress;
 struct Space;
-struct TextInput;
 struct Trim;
 struct Turning;
 struct VelocityLaw;
@@ -213,7 +213,7 @@ struct SmoothFeature {
 };
 
 struct TextFeature {
-    bool (*check)(SceneCheck&, const LabelView&, const TextInput&);
+    bool (*check)(SceneCheck&, const LabelView&, const InputView&);
     void (*trace)(Tracer&, SceneWalk&);
 };
 

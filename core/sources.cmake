@@ -33,6 +33,7 @@ set(KFAST_CORE_SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/math/stroke_trimmer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/input_view.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/clock.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scene/number_text.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/spring_law.cpp
     ${CMAKE_CURRENT_LIST_DIR}/time/track.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene/check/scene_check_live.cpp

@@ -181,10 +181,7 @@ void Tracer::trace_drawing(SceneWalk& walk)
 
 void Tracer::trace_label(SceneWalk& walk)
 {
-    const SceneView& scene = on_panel_.scene;
-    const LiveView live = item_view(scene, walk.node()).live;
-    const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
-                           scene.drawings()};
+    const LabelTrace label = label_of(on_panel_, item_view(on_panel_.scene, walk.node()).live);
     add_live_layers(
         walk, [&] { return label.start(); },
         [&](const Affine& placement, ObjectOutline& outline) { label.trace(placement, outline); });

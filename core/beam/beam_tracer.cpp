@@ -83,9 +83,7 @@ void BeamTracer::trace_live(SceneWalk& walk, const ItemView& item)
         case InputLeaf::drawing:
             return trace_live_strokes(on_panel_.drawings.of(scene, item.live.input), placement, pen);
         case InputLeaf::label:
-            return LabelTrace{LabelView::of(item.live.label), on_panel_.texts.glyphs(scene, item.live.input),
-                              scene.drawings()}
-                .trace(placement, pen);
+            return label_of(on_panel_, item.live).trace(placement, pen);
         }
     });
 }

@@ -52,7 +52,7 @@ std::int32_t LabelLayout::step() const
 
 Point LabelTrace::start() const
 {
-    for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
+    for (LabelLayout layout{label_, glyphs()}; !layout.at_end();) {
         const PlacedGlyph glyph = layout.next();
         PackedDrawing drawing{drawings_, glyph.drawing, glyph.origin};
         if (drawing.strokes() == 0)

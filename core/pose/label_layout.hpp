@@ -6,6 +6,7 @@
 #include "core/pose/posed_bones.hpp"
 #include "core/pose/posed_strokes.hpp"
 #include "core/scene/input_view.hpp"
+#include "core/scene/number_text.hpp"
 #include "core/scene/packed_drawing.hpp"
 #include "core/scene/scene_view.hpp"
 
@@ -41,12 +42,18 @@ private:
     std::int32_t x_; ///< where the next glyph begins, in 1/4096 px
 };
 
-/// A text as a label shows it.
+/// A text or a number as a label shows it.
 class LabelTrace {
 public:
     /// `glyphs` are those of the text, `drawings` is the scene's section of drawings; both must outlive it.
     LabelTrace(const LabelView& label, std::span<const std::byte> glyphs, std::span<const std::byte> drawings)
-        : label_{label}, glyphs_{glyphs}, drawings_{drawings}
+        : label_{label}, text_{glyphs}, drawings_{drawings}
+    {
+    }
+    /// The number that `input` is at `place`; the label shows one.
+    LabelTrace(const LabelView& label, const InputView& input, Time place,
+               std::span<const std::byte> drawings)
+        : label_{label}, number_{label.format, input, place}, drawings_{drawings}
     {
     }
 
@@ -56,7 +63,7 @@ public:
     template <class Outline>
     void trace(const Affine& placement, Outline& outline) const
     {
-        for (LabelLayout layout{label_, glyphs_}; !layout.at_end();) {
+        for (LabelLayout layout{label_, glyphs()}; !layout.at_end();) {
             const PlacedGlyph glyph = layout.next();
             count_op(Op::object);
             DeformedDrawing drawing{PackedDrawing{drawings_, glyph.drawing, glyph.origin}};
@@ -65,8 +72,11 @@ public:
     }
 
 private:
+    std::span<const std::byte> glyphs() const { return label_.shows_number ? number_.glyphs() : text_; }
+
     LabelView label_;
-    std::span<const std::byte> glyphs_;
+    std::span<const std::byte> text_{};
+    NumberText number_;
     std::span<const std::byte> drawings_;
 };
 

@@ -163,22 +163,41 @@ void pose_bones(const SceneView& scene, const PreparedScene& prepared, std::span
 
 namespace {
 
-/// Rounded to 1/65536 px. Products with the bits above and below 1/256 px fit in 32 bits.
+/// A sum of weighted coordinates, rounded to 1/65536 px. Products of what is above and below 1/256 px with
+/// the high and the low byte of a weight fit in 32 bits; what is lost of the smallest ones is less than 1/64
+/// of the unit.
+class WeightedSum {
+public:
+    void add(Fixed coordinate, std::int32_t weight)
+    {
+        const std::int32_t above = coordinate.raw() >> 8;
+        const std::int32_t below = coordinate.raw() & 255;
+        const std::int32_t high = weight >> 8;
+        const std::int32_t low = weight & 255;
+        const std::int32_t cross = above * low;
+        whole_ += above * high + (cross >> 8);
+        rest_ += below * high + (cross & 255) + ((below * low) >> 8);
+    }
+
+    Fixed rounded() const { return Fixed::from_raw(whole_ + (rest_ >> 8)); }
+
+private:
+    std::int32_t whole_ = 0;
+    std::int32_t rest_ = 128; ///< in 1/256 of its unit
+};
+
 Point deformed_by(std::span<const PosedBone> bones, Point point, const Binding& binding)
 {
     if (binding.count() == 1)
         return bones[binding.last()](point);
-    Point whole;
-    Point rest{Fixed::from_raw(128), Fixed::from_raw(128)};
+    WeightedSum x;
+    WeightedSum y;
     binding.each([&](BoneInfluence share) {
         const Point part = bones[share.bone](point);
-        const auto times = [weight = share.weight](std::int32_t raw) {
-            return Fixed::from_raw(raw * weight);
-        };
-        whole = whole + Point{times(part.x.raw() >> 8), times(part.y.raw() >> 8)};
-        rest = rest + Point{times(part.x.raw() & 255), times(part.y.raw() & 255)};
+        x.add(part.x, share.weight);
+        y.add(part.y, share.weight);
     });
-    return {whole.x + Fixed::from_raw(rest.x.raw() >> 8), whole.y + Fixed::from_raw(rest.y.raw() >> 8)};
+    return {x.rounded(), y.rounded()};
 }
 
 }

@@ -35,6 +35,16 @@ SceneOnPanel on_panel(const SceneView& scene, Size panel, Fit fit)
             .rigid = RigidPlacements{canvas.plane.xx}};
 }
 
+LabelTrace label_of(const SceneOnPanel& on_panel, const LiveView& live)
+{
+    const SceneView& scene = on_panel.scene;
+    const LabelView label = LabelView::of(live.label);
+    if (!label.shows_number)
+        return {label, on_panel.texts.glyphs(scene, live.input), scene.drawings()};
+    const Time place = live.input < on_panel.inputs.size() ? on_panel.inputs[live.input] : Time{};
+    return {label, scene.input(live.input), place, scene.drawings()};
+}
+
 namespace {
 
 std::size_t posed_bone_bytes(const SceneView& scene) { return scene.bone_count() * sizeof(PosedBone); }
@@ -79,6 +89,7 @@ static_assert(alignof(PosedBone) <= 4 && alignof(BackboneNode) <= 4);
     on_panel_.backbone_nodes = cutter.cut_as<BackboneNode>(backbone_node_bytes(scene));
     inputs_ = cutter.cut_as<Time>(input_bytes(scene));
     put_default_places(scene.inputs(), inputs_);
+    on_panel_.inputs = inputs_;
     on_panel_.drawings = {scene, cutter.cut(InputDrawings::bytes_for(scene))};
     on_panel_.texts = {scene,
                        cutter.cut(InputTexts::bytes_for(scene))}; // last, for it has any number of bytes
@@ -108,7 +119,9 @@ SceneTime SceneState::pose(Time time)
 void SceneState::set_input(std::uint32_t number, Time place)
 {
     expects(number < inputs_.size());
-    inputs_[number] = std::clamp(place, Time{}, whole_input);
+    const Time held = std::clamp(place, Time{}, whole_input);
+    if (std::exchange(inputs_[number], held) != held)
+        mark_input_changed(number); // labels may show it
 }
 
 void SceneState::set_text(std::uint32_t number, std::string_view text)

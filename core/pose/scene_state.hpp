@@ -30,9 +30,13 @@ struct SceneOnPanel {
     RigidPlacements rigid;
     std::span<PosedBone> bones{}; ///< of all skeletons; set up
     std::span<BackboneNode> backbone_nodes{};
-    InputDrawings drawings{}; ///< from outside
-    InputTexts texts{};       ///< from outside
+    InputDrawings drawings{};       ///< from outside
+    InputTexts texts{};             ///< from outside
+    std::span<const Time> inputs{}; ///< the place of each input; one that is not set is at 0
 };
+
+/// What a live item of these pictures shows, a label.
+LabelTrace label_of(const SceneOnPanel& on_panel, const LiveView& live);
 
 /// Makes it without anything that moves. `fit` places the canvas on the panel; the viewer is in front of
 /// its middle.

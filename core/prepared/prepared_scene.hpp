@@ -120,8 +120,8 @@ public:
     /// outlive this.
     PreparedScene(const SceneView& scene, std::span<std::byte> memory);
 
-    /// `moment` has the time and the inputs. `changed_inputs` has a bit for each input that is no number and
-    /// was given a new value.
+    /// `moment` has the time and the inputs. `changed_inputs` has a bit for each input that was given a new
+    /// value.
     void move_to(const SceneView& scene, const SceneTime& moment, std::uint32_t changed_inputs);
     /// What the clocks of the scene show.
     std::span<const Time> clocks() const { return clocks_; }
@@ -181,7 +181,7 @@ public:
     bool has_one_drawing(const Node& node) const;
     /// What the points of an object depend on besides its placement: keys and skeletons.
     Dependence dependence_of_strokes(const Node& node) const;
-    /// What the text or the drawing of an input depends on.
+    /// What the text, the number or the drawing of an input depends on.
     Dependence dependence_of_input(std::uint32_t number) const
     {
         return {.keys = Dependence::bit(static_cast<std::uint32_t>(timelines_.size()) + number)};

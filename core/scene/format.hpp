@@ -126,6 +126,28 @@ inline constexpr BitField<0, 2> cap;
 inline constexpr BitField<2, 2> join;
 }
 
+/// "Live items": the first byte of a label.
+namespace label {
+inline constexpr BitField<0, 2> align;
+inline constexpr BitFlag<2> shows_number;
+inline constexpr BitField<3, 5, 8> unused; ///< 0
+}
+
+/// "Live items": how many digits a number has before the point.
+namespace number_format {
+inline constexpr BitField<0, 4> digits;
+inline constexpr BitField<4, 4, 8> places;
+}
+
+/// "Live items": the glyphs of a label that shows a number; 0 to 9 are digits, and those from `first_other`
+/// on what stands around it.
+namespace number_glyph {
+inline constexpr std::uint32_t minus = 10;
+inline constexpr std::uint32_t point = 11;
+inline constexpr std::uint32_t gap = 12; ///< in the place of a digit
+inline constexpr std::uint32_t first_other = 13;
+}
+
 /// "Live items": two glyphs that are kerned.
 namespace kerning {
 inline constexpr std::size_t bytes = 2;
@@ -135,9 +157,11 @@ inline constexpr BitField<8, 8, 16> left;
 
 /// "Skins"
 namespace skin {
-inline constexpr std::int32_t whole_weight = 256; ///< all weights of a point
-inline constexpr BitField<0, 2> bones;            ///< of a run, less 1
-inline constexpr BitField<2, 30> points;          ///< of a run, less 1
+inline constexpr std::int32_t whole_weight = 65'536; ///< all weights of a point
+inline constexpr std::int32_t coarse_weight = 256;   ///< the unit of weights in one byte
+inline constexpr BitField<0, 2> bones;               ///< of a run, less 1
+inline constexpr BitFlag<2> has_fine_weights;        ///< in two bytes, else in one
+inline constexpr BitField<3, 29> points;             ///< of a run, less 1
 
 /// What an object has in place of the offset of a skin when the bone moves all points. Its own inverse.
 constexpr std::int32_t of_bone(std::int32_t bone) { return -1 - bone; }

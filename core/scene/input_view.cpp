@@ -131,10 +131,24 @@ void put_default_places(InputCursor inputs, std::span<Time> places)
     }
 }
 
+[[gnu::cold]] NumberFormat NumberFormat::take(ByteReader& bytes)
+{
+    NumberFormat format;
+    format.decimals = bytes.u8();
+    const std::uint32_t least = bytes.u8();
+    format.digits = kfb::number_format::digits.get(least);
+    format.places = kfb::number_format::places.get(least);
+    format.before = bytes.take(bytes.u8()).rest();
+    format.behind = bytes.take(bytes.u8()).rest();
+    return format;
+}
+
 LabelView LabelView::of(ByteReader bytes)
 {
     LabelView label;
-    label.align = static_cast<Align>(bytes.u8());
+    const std::uint32_t head = bytes.u8();
+    label.align = static_cast<Align>(kfb::label::align.get(head));
+    label.shows_number = kfb::label::shows_number.get(head);
     label.x = bytes.signed_varint();
     label.y = bytes.signed_varint();
     label.spacing = bytes.signed_varint();
@@ -145,7 +159,9 @@ LabelView LabelView::of(ByteReader bytes)
     label.pairs = bytes.take(kfb::kerning::bytes * pairs).rest();
     if (pairs != 0)
         label.kerning = PackedValues::take(bytes, label.pair_count());
-    label.is_whole = !bytes.overrun() && bytes.left() == 0;
+    if (label.shows_number)
+        label.format = NumberFormat::take(bytes);
+    label.is_whole = !bytes.overrun() && bytes.left() == 0 && kfb::label::unused.get(head) == 0;
     return label;
 }
 

@@ -50,7 +50,7 @@ private:
 };
 
 enum class InputType : std::uint8_t {
-    number,  ///< that keys may go by
+    number,  ///< that keys may go by, and labels show
     text,    ///< that labels show
     drawing, ///< that live items show
 };
@@ -107,20 +107,35 @@ void put_default_places(InputCursor inputs, std::span<Time> places);
 /// On which side of its position a line of text is.
 enum class Align : std::uint8_t { left, center, right };
 
-/// How the text of an input is laid out on one line; borrows the scene's bytes (docs/format.md, "Live
-/// items"). Widths are in 1/4096 px.
+/// How a label writes a number; borrows the scene's bytes. At most kfb::max_text glyphs come of it.
+struct NumberFormat {
+    std::uint32_t decimals = 0; ///< 0 … kfb::max_decimals
+    std::uint32_t digits =
+        1; ///< before the point: at least so many, 1 … kfb::max_digits, with zeros in front
+    std::uint32_t places = 0;          ///< likewise, 0 … kfb::max_digits, with gaps in front of the digits
+    std::span<const std::byte> before; ///< the glyphs in front of the number
+    std::span<const std::byte> behind;
+
+    /// Reads one from `bytes`.
+    static NumberFormat take(ByteReader& bytes);
+};
+
+/// How the text or the number of an input is laid out on one line; borrows the scene's bytes (docs/format.md,
+/// "Live items"). Widths are in 1/4096 px.
 struct LabelView {
     Align align = Align::left;
+    bool shows_number = false;
     std::int32_t x = 0; ///< of the position on the baseline that `align` is about, in 1/16 px
     std::int32_t y = 0;
     std::int32_t spacing = 0;         ///< added between glyphs
-    std::uint32_t glyph_count = 0;    ///< that of the input's glyphs
+    std::uint32_t glyph_count = 0;    ///< that of the input's glyphs, if it is a text
     PackedValues drawings;            ///< of each glyph, offsets in the section of drawings
     PackedValues advances;            ///< of each glyph, the distance to the beginning of the next
     std::span<const std::byte> pairs; ///< see pair_code()
     PackedValues kerning;             ///< of each pair, what is added between them
+    NumberFormat format = {};         ///< only if it shows a number
 
-    bool is_whole = false; ///< the bytes ended neither before nor after its end
+    bool is_whole = false; ///< the bytes ended neither before nor after its end, and no bit is unknown
 
     /// `bytes` are those of one label.
     static LabelView of(ByteReader bytes);

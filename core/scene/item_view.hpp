@@ -110,14 +110,14 @@ enum class ItemKind : std::uint8_t { object, group, use, live };
 /// What a live item shows.
 enum class InputLeaf : std::uint8_t {
     drawing, ///< an input of InputType::drawing, in the item's style
-    label,   ///< one of InputType::text, in the item's style
+    label,   ///< one of InputType::text or InputType::number, in the item's style
 };
 
 /// What a live item is besides its tracks and its style.
 struct LiveView {
     InputLeaf kind = InputLeaf::drawing;
     std::uint32_t input = 0; ///< its number in the scene
-    ByteReader label{};      ///< how the text is laid out, for LabelView; only of a label
+    ByteReader label{};      ///< how it is laid out, for LabelView; only of a label
 };
 
 /// Something that is painted; borrows the scene's bytes.

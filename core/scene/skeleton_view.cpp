@@ -87,9 +87,10 @@ std::size_t backbone_node_count(PackedDrawing drawing)
     return count;
 }
 
-Binding::Binding(ByteReader& bytes, std::uint32_t count) : bytes_{bytes}, count_{count}
+Binding::Binding(ByteReader& bytes, std::uint32_t head)
+    : bytes_{bytes}, count_{kfb::skin::bones.get(head) + 1}, is_fine_{kfb::skin::has_fine_weights.get(head)}
 {
-    bytes.skip(2 * (count - 1));
+    bytes.skip((is_fine_ ? 3 : 2) * (count_ - 1));
     last_ = bytes.u8();
 }
 
@@ -109,7 +110,7 @@ const Binding& SkinReader::next()
     }
     const std::uint32_t head = bytes_.varint();
     left_ = kfb::skin::points.get(head);
-    binding_ = Binding{bytes_, kfb::skin::bones.get(head) + 1};
+    binding_ = Binding{bytes_, head};
     return binding_;
 }
 

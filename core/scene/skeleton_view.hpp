@@ -168,7 +168,7 @@ std::size_t backbone_node_count(PackedDrawing drawing);
 /// A bone, and how much a point follows it.
 struct BoneInfluence {
     std::uint32_t bone = 0;                        ///< its number in the skeleton
-    std::int32_t weight = kfb::skin::whole_weight; ///< in 1/256; those of a point add up to 256
+    std::int32_t weight = kfb::skin::whole_weight; ///< in 1/65536; those of a point add up to 65,536
 };
 
 /// The bones that move a point, one to four; borrows the scene's bytes.
@@ -177,8 +177,8 @@ public:
     Binding() = default;
     /// One bone alone.
     explicit Binding(std::uint32_t bone) : last_{bone} {}
-    /// Reads `count` bones from `bytes`.
-    Binding(ByteReader& bytes, std::uint32_t count);
+    /// Reads that of a run from `bytes`. `head` is the varint with which the run begins.
+    Binding(ByteReader& bytes, std::uint32_t head);
 
     std::uint32_t count() const { return count_; }
     /// The number of the last bone.
@@ -192,7 +192,7 @@ public:
         std::int32_t rest = kfb::skin::whole_weight;
         for (std::uint32_t i = 1; i < count_; ++i) {
             const std::uint32_t bone = bytes.u8();
-            const auto weight = static_cast<std::int32_t>(bytes.u8());
+            const std::int32_t weight = weight_from(bytes);
             rest -= weight;
             use(BoneInfluence{bone, weight});
         }
@@ -200,8 +200,14 @@ public:
     }
 
 private:
+    std::int32_t weight_from(ByteReader& bytes) const
+    {
+        return static_cast<std::int32_t>(is_fine_ ? bytes.u16() : bytes.u8() * kfb::skin::coarse_weight);
+    }
+
     ByteReader bytes_;
     std::uint32_t count_ = 1;
+    bool is_fine_ = false;
     std::uint32_t last_ = 0; ///< number of the last bone, which has no weight of its own
 };
 

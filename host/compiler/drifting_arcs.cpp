@@ -4,7 +4,7 @@
 #include "core/time/track.hpp"
 #include "host/compiler/carry/backbone_cells.hpp"
 #include "host/compiler/match/match_by_count.hpp"
-#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/match/match_by_letters.hpp"
 #include "host/text/number_text.hpp"
 #include "host/words/scene_words.hpp"
 
@@ -140,10 +140,9 @@ private:
             return;
         if (std::ranges::none_of(key.sectors, [&](const auto& from) { return other_angles(from, next); }))
             return;
-        const auto by_length =
-            key.match == scene::Match::length ? match_by_length(key.drawing, next.drawing) : std::nullopt;
-        const MatchedSegments matched = by_length ? match_by_count(by_length->from, by_length->to)
-                                                  : match_by_count(key.drawing, next.drawing);
+        const MatchedDrawings drawings = matched_drawings(key, next, object_.stroke.has_value())
+                                             .value_or(MatchedDrawings{key.drawing, next.drawing});
+        const MatchedSegments matched = match_by_count(drawings.from, drawings.to);
         for (const scene::SectorStroke& from : key.sectors)
             if (const scene::SectorStroke* const to = other_angles(from, next))
                 look_at(key, next, {from, *to}, matched.strokes[from.stroke].front());

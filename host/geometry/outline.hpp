@@ -67,6 +67,7 @@ struct Outline {
     std::vector<Curve> curves;
     bool closed = false;               ///< ends where it began, by a line of its own if need be
     std::optional<Sector> sector = {}; ///< that it surrounds, or runs along
+    bool begins_letter = false;        ///< the first one of a letter of a text
 };
 
 bool in_range(Vec2 spot);

@@ -135,8 +135,7 @@ void SvgTracer::trace_live(SceneWalk& walk)
         });
     }
     case InputLeaf::label: {
-        const LabelTrace label{LabelView::of(live.label), on_panel_.texts.glyphs(scene, live.input),
-                               scene.drawings()};
+        const LabelTrace label = label_of(on_panel_, live);
         return add_paths(walk, label.start(),
                          [&](const Affine& placement, auto& path) { label.trace(placement, path); });
     }

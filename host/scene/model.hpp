@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -25,9 +26,15 @@ namespace kfast::scene {
 
 /// Which points of a drawing match which of the next, if their numbers differ.
 enum class Match : std::uint8_t {
-    count,  ///< added points are spread evenly over the segments (core/pose/equalize.hpp)
-    length, ///< added points are placed by arc length, closed strokes begin where they fit best
+    count,   ///< added points are spread evenly over the segments (core/pose/equalize.hpp)
+    length,  ///< added points are placed by arc length, closed strokes begin where they fit best
+    letters, ///< so are those of each letter of a text, of which the first becomes the first, and so on
 };
+
+constexpr std::string_view match_name(Match match)
+{
+    return match == Match::count ? "count" : match == Match::length ? "length" : "letters";
+}
 
 enum class SectorForm : std::uint8_t { arc, pie, ring_piece };
 
@@ -49,6 +56,8 @@ struct Key {
     Drawing depths = {};
     SourceSpan place;
     std::vector<SectorStroke> sectors = {}; ///< of the drawing
+    /// The first stroke of each letter of its texts, and of each other shape. Needed only for Match::letters.
+    std::vector<std::size_t> letters = {};
 };
 
 /// A value at a time, in the unit of its property; the laws govern the transition to the next key.
@@ -99,11 +108,11 @@ struct Bones {
 /// How far a point follows a bone.
 struct BoneWeight {
     std::size_t bone = 0; ///< index into Bones::bones
-    int weight = 0;       ///< in 1/256, at least 1
+    int weight = 0;       ///< in 1/65536, at least 1
     friend bool operator==(const BoneWeight&, const BoneWeight&) = default;
 };
 
-/// One to four bones, their weights adding up to 256; the heaviest first.
+/// One to four bones, their weights adding up to 65,536; the heaviest first.
 using Binding = std::vector<BoneWeight>;
 
 /// Which bones deform an object.
@@ -162,14 +171,26 @@ struct Kerning {
 
 using kfast::Align;
 
-/// The text of an input, laid out on one line.
+/// How a label writes a number: as kfast::NumberFormat, which refers to glyphs of the label.
+struct NumberFormat {
+    std::uint32_t decimals = 0;
+    std::uint32_t digits = 1;
+    std::uint32_t places = 0;
+    std::vector<std::uint8_t> before;
+    std::vector<std::uint8_t> behind;
+};
+
+/// The text or the number of an input, laid out on one line.
 struct Label {
     std::size_t input = 0; ///< index into Scene::inputs
     Point at;              ///< on the baseline, where `align` says
+    Point pivot;           ///< unless the object has another one
     Align align = Align::left;
-    std::int32_t spacing = 0;       ///< added between glyphs, in 1/4096 px
-    std::vector<LabelGlyph> glyphs; ///< of each character of the input, in their order
-    std::vector<Kerning> kerning;   ///< in the order of their glyphs, of the left ones first; none is 0
+    std::int32_t spacing = 0; ///< added between glyphs, in 1/4096 px
+    /// Of each character of a text, in their order; of a number as kfb::number_glyph says.
+    std::vector<LabelGlyph> glyphs;
+    std::vector<Kerning> kerning; ///< in the order of their glyphs, of the left ones first; none is 0
+    std::optional<NumberFormat> format = {}; ///< only of a number
 };
 
 /// Has a fill or a stroke or both, and at least one key, unless it shows an input; the times of its keys
@@ -183,8 +204,8 @@ struct Object {
     std::vector<BackboneKey> backbone_keys = {}; ///< their times rise
     Driver driver = {};                          ///< of both
     std::optional<std::size_t> live = {}; ///< index into Scene::inputs: a drawing; nothing deforms it then
-    std::optional<Label> label = {};      ///< index into Scene::inputs: a text
-    BeamStyle beam = {};                  ///< hatched only if there is a fill
+    std::optional<Label> label = {};
+    BeamStyle beam = {};     ///< hatched only if there is a fill
     bool has_depths = false; ///< it is a wire frame: only stroked, not deformed, matched by count
 };
 

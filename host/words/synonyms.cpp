@@ -66,7 +66,6 @@ constexpr std::array synonym_table{
     Synonym{"miter-limit", "miter"},
     Synonym{"miterlimit", "miter"},
     Synonym{"fill-rule", "rule"},
-    Synonym{"bones", "skin"},
     Synonym{"skeleton", "skin"},
     // of shapes
     Synonym{"radius", "r"},
@@ -98,6 +97,9 @@ constexpr std::array synonym_table{
     Synonym{"font-family", "font"},
     Synonym{"face", "font"},
     Synonym{"text-anchor", "align"},
+    Synonym{"valign", "vertical"},
+    Synonym{"vertical-align", "vertical"},
+    Synonym{"dominant-baseline", "vertical"},
     Synonym{"text-align", "align"},
     Synonym{"anchor", "align"},
     Synonym{"anchor", "pivot-x"},

@@ -44,6 +44,7 @@ public:
         shown.prepared = prepared_;
         shown.spaces = spaces_;
         shown.bones = bones_;
+        shown.inputs = moment.inputs();
         return shown;
     }
 

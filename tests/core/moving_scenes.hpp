@@ -128,10 +128,10 @@ inline RawScene bones_scene()
     const std::uint32_t other_at = drawings.add(other_leaf());
     const std::uint32_t hook_at = drawings.add(hook());
     const std::uint32_t empty_at = drawings.add(scene::Drawing{});
-    const std::vector<RawRun> mixed{{3, {{0, 100}, {1, 156}}},
+    const std::vector<RawRun> mixed{{3, {{0, 25'600}, {1, 39'936}}},
                                     {1, {{2}}},
-                                    {2, {{0, 64}, {1, 64}, {2, 64}, {3, 64}}},
-                                    {1, {{1, 1}, {3, 255}}}};
+                                    {2, {{0, 16'384}, {1, 16'384}, {2, 16'384}, {3, 16'384}}},
+                                    {1, {{1, 300}, {3, 65'236}}}};
     const std::uint32_t mixed_at = drawings.add(skin_bytes(mixed));
     const std::uint32_t rest_at = drawings.add(skin_bytes(mixed, leaf_at + 1));
     const std::uint32_t hook_skin = drawings.add(skin_bytes({{4, {{1}}}}));

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Players of scenes with texts from outside.
@@ -59,6 +60,94 @@ TEST_CASE("a label has the same bits as a text that is written")
             label.player.set_text(0, text);
             for (const int time : {0, 7})
                 REQUIRE(label.picture(Time::frame(time)) == fixed.picture(Time::frame(time)));
+        }
+    }
+}
+
+TEST_CASE("a label of a number has the same bits as a text that is written")
+{
+    const std::string start = "kfast 1\ncanvas 120 60 frames=20\n";
+    for (const Frame& frame : frames) {
+        CAPTURE(frame.before);
+        PlayerFixture label{start + "input t min=-64 max=64\n" + frame.before +
+                                "input=t format=\"v=00.0 %\"" + frame.after,
+                            canvas};
+        for (const auto& [value, text] : std::vector<std::pair<int, std::string>>{
+                 {12'500, "v=12.5 %"}, {-63'960, "v=-64.0 %"}, {0, "v=00.0 %"}, {-40, "v=00.0 %"}}) {
+            PlayerFixture fixed{start + frame.before + '"' + text + '"' + frame.after, canvas};
+            label.player.set_input(0, label.player.scene().input(0).place_of(value));
+            for (const int time : {0, 7})
+                REQUIRE(label.picture(Time::frame(time)) == fixed.picture(Time::frame(time)));
+        }
+    }
+}
+
+TEST_CASE("the panel shows what a full redraw would, however numbers and time move")
+{
+    const std::string scene =
+        "kfast 1\ncanvas 120 60 frames=20\ninput a max=99 default=17\ninput b min=-5 max=5\n"
+        "object one stroke=white width=2 { text input=a format=\"_0\" at=\"60,30\" size=20 font=hershey-sans "
+        "}\n"
+        "group { track x input=a { at 0 0; at 99 30 }\n"
+        "object two fill=\"#00ff0080\" stroke=red { text input=b format=\"0.00 V\" at=\"4,50\" size=12 "
+        "font=hershey-sans; key 0 y=0; key 20 y=5 } }";
+    for (int seed = 0; seed < rounds(8); ++seed) {
+        std::mt19937 random{static_cast<unsigned>(seed)};
+        PlayerFixture fixture{scene, canvas};
+        PanelMemory<PixelFormat::rgb565> memory{canvas};
+        for (int round = 0; round < 40; ++round) {
+            const Time time{static_cast<std::int32_t>(random() % (20 * 1024))};
+            for (const std::uint32_t input : {0U, 1U})
+                if (random() % 2 == 0)
+                    fixture.player.set_input(input, {static_cast<std::int32_t>(random() % 65'537)});
+            fixture.player.show(time);
+            if (random() % 5 == 0)
+                continue; // never drawn
+            bring_up_to_date(fixture, memory, 5);
+            PlayerFixture fresh{fixture.bytes, canvas};
+            for (const std::uint32_t input : {0U, 1U})
+                fresh.player.set_input(input, fixture.player.input(input));
+            REQUIRE(memory.bytes() == fresh.picture(time));
+        }
+    }
+}
+
+TEST_CASE("a number that stays what it is on the panel sends nothing")
+{
+    PlayerFixture fixture{"kfast 1\ncanvas 120 60\ninput n max=9\nobject o stroke=white { text input=n "
+                          "at=\"4,40\" size=20 font=hershey-sans }",
+                          canvas};
+    PanelMemory<PixelFormat::rgb565> memory{canvas};
+    fixture.player.set_input(0, {30'000}); // 4.12
+    fixture.player.show({});
+    bring_up_to_date(fixture, memory, 40);
+    fixture.player.set_input(0, {32'000}); // 4.39
+    fixture.player.show({});
+    CHECK(bring_up_to_date(fixture, memory, 40).areas == 0);
+    fixture.player.set_input(0, {33'000}); // 4.53
+    fixture.player.show({});
+    CHECK(bring_up_to_date(fixture, memory, 40).areas > 0);
+}
+
+TEST_CASE("outlines have room for any number")
+{
+    for (const std::string format : {"#", "000.000", "n=0.0 %%%"}) {
+        CAPTURE(format);
+        PlayerFixture fixture{
+            "kfast 1\ncanvas 120 60 frames=20\ninput t min=-99 max=999\n"
+            "object o fill=red stroke=white width=3 cap=round join=round { text input=t "
+            "format=\"" +
+                format +
+                "\" at=\"60,40\" size=30 align=center font=hershey-gothic; key 0 scale=0.1; "
+                "key 20 scale=3 }",
+            canvas};
+        for (std::int32_t place = 0; place <= 65'536; place += 97) {
+            fixture.player.set_input(0, {place});
+            for (const int ticks : {0, 5000, 20'479}) {
+                fixture.player.show_moment({ticks});
+                REQUIRE_FALSE(fixture.player.picture().outlines.is_full());
+                REQUIRE(fixture.player.picture().coarseness == 0);
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "tests/core/raw_scene.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,20 +16,43 @@ struct RawPair {
     std::int32_t by = 0;
 };
 
+/// How a label writes a number.
+struct RawFormat {
+    int decimals = 0;
+    int digits = 1;
+    int places = 0;
+    std::vector<int> before = {};
+    std::vector<int> behind = {};
+
+    Bytes bytes() const
+    {
+        ByteWriter writer;
+        writer.u8(static_cast<std::uint32_t>(decimals));
+        writer.u8(static_cast<std::uint32_t>(digits + 16 * places));
+        for (const std::vector<int>* glyphs : {&before, &behind}) {
+            writer.u8(static_cast<std::uint32_t>(glyphs->size()));
+            for (const int glyph : *glyphs)
+                writer.u8(static_cast<std::uint32_t>(glyph));
+        }
+        return writer.bytes();
+    }
+};
+
 /// A label put together by hand, of as many glyphs as it has drawings and advances.
 struct RawLabel {
-    int align = 0;
+    int align = 0; ///< and other bits of the first byte
     std::int32_t x = 0;
     std::int32_t y = 0;
     std::int32_t spacing = 0;
     std::vector<std::int32_t> drawings;
     std::vector<std::int32_t> advances;
     std::vector<RawPair> pairs = {};
+    std::optional<RawFormat> format = {};
 
     Bytes bytes() const
     {
         ByteWriter writer;
-        writer.u8(static_cast<std::uint32_t>(align));
+        writer.u8(static_cast<std::uint32_t>(align + (format ? 4 : 0)));
         for (const std::int32_t value : {x, y, spacing})
             writer.signed_varint(value);
         writer.u8(static_cast<std::uint32_t>(drawings.size()));
@@ -42,6 +66,8 @@ struct RawLabel {
         }
         if (!kerning.empty())
             writer.append(value_bytes(kerning));
+        if (format)
+            writer.append(format->bytes());
         return writer.bytes();
     }
 

@@ -2,6 +2,7 @@
 
 #include "tests/core/raw_scene.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -11,7 +12,7 @@ namespace kfast::test {
 
 struct RawInfluence {
     int bone = 0;
-    int weight = 256; ///< of the last in a run it is not stored
+    int weight = 65'536; ///< of the last in a run it is not stored
     friend bool operator==(const RawInfluence&, const RawInfluence&) = default;
 };
 
@@ -21,12 +22,19 @@ struct RawRun {
     std::vector<RawInfluence> shares;
 };
 
+/// Weights in one byte where that suffices.
 inline Bytes run_bytes(const RawRun& run)
 {
-    Bytes all = varint(4 * (run.points - 1) + static_cast<std::uint32_t>(run.shares.size()) - 1);
-    for (const RawInfluence& share : run.shares)
-        all = joined(
-            {all, &share == &run.shares.back() ? bytes({share.bone}) : bytes({share.bone, share.weight})});
+    const bool is_fine =
+        std::ranges::any_of(run.shares, [](const RawInfluence& share) { return share.weight % 256 != 0; });
+    Bytes all =
+        varint(8 * (run.points - 1) + 4 * is_fine + static_cast<std::uint32_t>(run.shares.size()) - 1);
+    for (const RawInfluence& share : run.shares) {
+        const Bytes bone = bytes({share.bone});
+        const Bytes weight =
+            is_fine ? bytes({share.weight % 256, share.weight / 256}) : bytes({share.weight / 256});
+        all = joined({all, bone, &share == &run.shares.back() ? Bytes{} : weight});
+    }
     return all;
 }
 
@@ -39,17 +47,19 @@ inline Bytes skin_bytes(const std::vector<RawRun>& runs, std::uint32_t at_rest =
     return all;
 }
 
-/// One to four of `bones` bones; weights are 1 … 256 and add up to 256.
+/// One to four of `bones` bones; weights are multiples of 256 or not, at least 1, and add up to 65,536.
 inline std::vector<RawInfluence> random_shares(std::mt19937& random, int bones)
 {
     std::vector<RawInfluence> shares(1 + random() % 4);
-    int left = 256;
+    const int unit = random() % 2 == 0 ? 1 : 256;
+    int left = 65'536 / unit;
     for (RawInfluence& share : shares) {
         const int max = left - static_cast<int>(&shares.back() - &share);
         share.bone = static_cast<int>(random() % static_cast<unsigned>(bones));
         share.weight =
             &share == &shares.back() ? left : 1 + static_cast<int>(random() % static_cast<unsigned>(max));
         left -= share.weight;
+        share.weight *= unit;
     }
     return shares;
 }

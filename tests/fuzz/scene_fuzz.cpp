@@ -1,3 +1,4 @@
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "host/kdl/parser.hpp"
 #include "host/scene/scene_reader.hpp"
@@ -48,9 +49,11 @@ void check_keys(const std::vector<Key>& keys)
 
 void check_label(const scene::Label& label, const std::vector<scene::Input>& inputs)
 {
-    demand(label.input < inputs.size() && inputs[label.input].type == InputType::text);
+    demand(label.input < inputs.size());
+    demand(inputs[label.input].type == (label.format ? InputType::number : InputType::text));
     const scene::TextInput& text = inputs[label.input].text;
-    demand(label.glyphs.size() == text.glyphs.size() && text.default_value.size() <= text.max);
+    demand(label.format ? label.glyphs.size() >= kfb::number_glyph::first_other
+                        : label.glyphs.size() == text.glyphs.size() && text.default_value.size() <= text.max);
     for (const scene::LabelGlyph& glyph : label.glyphs) {
         demand(std::abs(glyph.advance) <= kfb::max_text_width / static_cast<std::int32_t>(text.max));
         for (const scene::Stroke& stroke : glyph.drawing.strokes)

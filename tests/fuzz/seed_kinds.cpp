@@ -194,9 +194,19 @@ private:
         const LabelView label = LabelView::of(live.label);
         see("Live items: place", label.align);
         see("Live items: kerned", label.pair_count() != 0);
+        see("Live items: number", label.shows_number);
+        if (label.shows_number)
+            at_format(label.format);
         see("Live items: spacing", label.spacing != 0);
         for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)
             at_drawing(static_cast<std::uint32_t>(label.drawings[glyph]));
+    }
+
+    void at_format(const NumberFormat& format)
+    {
+        see("Live items: decimals", format.decimals != 0);
+        see("Live items: gaps", format.places != 0);
+        see("Live items: around a number", !format.before.empty() || !format.behind.empty());
     }
 
     void at_object(const ObjectView& object)
@@ -213,17 +223,37 @@ private:
             if (object.has_depths)
                 at_drawing(static_cast<std::uint32_t>(key.more));
             if (object.deformer == Deformer::bones)
-                at_skin(key.more);
+                at_skin(key);
         }
         if (object.deformer == Deformer::backbones)
             at_backbones(object.backbones);
     }
 
-    void at_skin(std::int32_t skin)
+    void at_skin(const Key& key)
     {
-        see("Skins: is", skin < 0);
-        if (skin >= 0)
-            see("Skins: drawing at rest", scene_.skin(skin).has_drawing_at_rest());
+        see("Skins: is", key.more < 0);
+        if (key.more < 0)
+            return;
+        SkinReader skin = scene_.skin(key.more);
+        see("Skins: drawing at rest", skin.has_drawing_at_rest());
+        PackedDrawing drawing = scene_.drawing(key.drawing);
+        for (std::uint32_t stroke = 0; stroke < drawing.strokes(); ++stroke) {
+            const std::uint32_t segments = drawing.next_stroke();
+            for (std::uint32_t i = 0; i <= segments; ++i) {
+                see("Skins: fine weights", has_fine_weights(skin.next()));
+                if (i != segments)
+                    drawing.next_segment();
+            }
+        }
+    }
+
+    static bool has_fine_weights(const Binding& binding)
+    {
+        bool is_fine = false;
+        binding.each([&is_fine](BoneInfluence share) {
+            is_fine = is_fine || share.weight % kfb::skin::coarse_weight != 0;
+        });
+        return is_fine;
     }
 
     void at_backbones(const BackbonesView& backbones)

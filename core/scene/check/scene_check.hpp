@@ -75,7 +75,7 @@ public:
     bool check_depths(const Key& key);
     bool check_path(const ItemView& item);
     /// Checks the label of an item that shows the input `text`.
-    bool check_label(const LabelView& label, const TextInput& text);
+    bool check_label(const LabelView& label, const InputView& input);
     /// Checks that it has only lines, and no more than the input may have.
     bool check_default(const DrawingInput& input);
 
@@ -172,7 +172,7 @@ bool are_bones_valid(const SceneView& scene, std::uint32_t laws, ReadAllowance& 
 bool are_inputs_valid(const SceneView& scene);
 
 /// Whether a label of this input is what the format allows, except for the drawings that it refers to.
-bool is_label_valid(const LabelView& label, const TextInput& text);
+bool is_label_valid(const LabelView& label, const InputView& input);
 
 // About drawings that have been checked, at offsets in a scene's section of drawings:
 

@@ -1,8 +1,11 @@
 #include "core/features.hpp"
 #include "core/scene/check/scene_check.hpp"
+#include "core/scene/format.hpp"
 #include "core/scene/kfb_limits.hpp"
+#include "core/scene/number_text.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace kfast {
 
@@ -84,22 +87,51 @@ bool are_pairs_valid(const LabelView& label)
     return true;
 }
 
-bool fits(const LabelView& label, const TextInput& text)
+bool are_glyphs(std::span<const std::byte> glyphs, const LabelView& label)
+{
+    return std::ranges::all_of(glyphs, [&label](std::byte glyph) {
+        return std::to_integer<std::uint32_t>(glyph) < label.glyph_count;
+    });
+}
+
+bool is_valid(const NumberFormat& format, const LabelView& label)
+{
+    return format.decimals <= kfb::max_decimals && format.digits >= 1 && format.digits <= kfb::max_digits &&
+           format.places <= kfb::max_digits &&
+           format.before.size() + format.behind.size() <= kfb::max_around &&
+           are_glyphs(format.before, label) && are_glyphs(format.behind, label);
+}
+
+/// Whether what it shows is of the kind of the input, in glyphs that there are.
+bool shows(const LabelView& label, const InputView& input)
+{
+    if (label.shows_number)
+        return input.type == InputType::number && label.glyph_count >= kfb::number_glyph::first_other &&
+               is_valid(label.format, label);
+    return input.type == InputType::text && label.glyph_count == input.text.glyphs.count();
+}
+
+std::uint32_t max_glyphs(const LabelView& label, const InputView& input)
+{
+    return label.shows_number ? max_glyphs(label.format, input) : input.text.max;
+}
+
+bool fits(const LabelView& label, const InputView& input)
 {
     if (!is_width(label.spacing))
         return false;
     const std::int32_t spacing = label.spacing < 0 ? -label.spacing : label.spacing;
     const std::int32_t step =
         largest(label.advances, label.glyph_count) + largest(label.kerning, label.pair_count()) + spacing;
-    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / text.max;
+    return static_cast<std::uint32_t>(step) <= std::uint32_t{kfb::max_text_width} / max_glyphs(label, input);
 }
 
 }
 
-bool is_label_valid(const LabelView& label, const TextInput& text)
+bool is_label_valid(const LabelView& label, const InputView& input)
 {
-    return label.is_whole && label.glyph_count == text.glyphs.count() && label.align <= Align::right &&
-           is_coordinate(label.x) && is_coordinate(label.y) && are_pairs_valid(label) && fits(label, text);
+    return label.is_whole && shows(label, input) && label.align <= Align::right && is_coordinate(label.x) &&
+           is_coordinate(label.y) && are_pairs_valid(label) && fits(label, input);
 }
 
 /// The parts of a scene that come from outside.
@@ -149,21 +181,21 @@ bool SceneCheck::check_live(const ItemView& item)
         strokes_ = input->drawing.strokes;
         return input->type == InputType::drawing;
     case InputLeaf::label:
-        return input->type == InputType::text &&
-               scene_.features().texts->check(*this, LabelView::of(item.live.label), input->text);
+        return needs(Feature::texts) &&
+               scene_.features().texts->check(*this, LabelView::of(item.live.label), *input);
     }
     return false;
 }
 
-bool SceneCheck::check_label(const LabelView& label, const TextInput& text)
+bool SceneCheck::check_label(const LabelView& label, const InputView& input)
 {
-    if (!is_label_valid(label, text))
+    if (!is_label_valid(label, input))
         return false;
     for (std::uint32_t glyph = 0; glyph < label.glyph_count; ++glyph)
         if (!check_drawing(static_cast<std::uint32_t>(label.drawings[glyph])))
             return false;
-    points_ *= text.max;
-    strokes_ *= text.max;
+    points_ *= max_glyphs(label, input);
+    strokes_ *= max_glyphs(label, input);
     return true;
 }
 

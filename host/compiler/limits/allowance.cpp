@@ -158,14 +158,14 @@ void check(const Allowance& allowance, const scene::Scene& scene, Diagnostics& d
                       std::string{allowance.hint});
 }
 
-/// The number of strokes in all tweens of an item whose points match by length.
+/// The number of strokes in all tweens of an item whose points match by length, also in letters.
 std::uint64_t matched_strokes(const scene::Item& item)
 {
     const auto* object = std::get_if<scene::Object>(&item.content);
     std::uint64_t strokes = 0;
     for (std::size_t i = 1; object != nullptr && i < object->keys.size(); ++i) {
         const scene::Key& from = object->keys[i - 1];
-        if (from.match == scene::Match::length)
+        if (from.match != scene::Match::count)
             strokes += std::max(from.drawing.strokes.size(), object->keys[i].drawing.strokes.size());
     }
     return strokes;

@@ -3,6 +3,7 @@
 #include "core/time/time.hpp"
 #include "host/walk/clock_times.hpp"
 #include "host/walk/every_item.hpp"
+#include "host/walk/input_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -148,9 +149,12 @@ public:
                                          ? moments_of(scene, {static_cast<std::uint8_t>(i + 1)}, whole_input,
                                                       whole_input.ticks / even_places)
                                          : std::vector<Time>{default_value_[i]});
+        find_largest(scene);
     }
 
     const std::vector<Time>& default_places() const { return default_value_; }
+    /// Those that labels show where they have most points there.
+    const std::vector<Time>& largest_places() const { return largest_; }
     /// Samples of one input, in order: evenly spaced ones, those of its keys, and the tick before each.
     std::size_t sample_count(std::size_t input) const
     {
@@ -179,7 +183,21 @@ private:
     static constexpr std::int32_t even_places = 32;
     static constexpr std::size_t max_samples = 256;
 
+    void find_largest(const SceneView& scene)
+    {
+        largest_ = default_value_;
+        for (std::uint32_t i = 0; i < largest_.size(); ++i) {
+            if ((scene.number_inputs() & bit_of_input(i)) == 0)
+                continue;
+            if (const auto place = largest_number_place(scene, i)) {
+                largest_[i] = *place;
+                sample_places_[i].push_back(*place);
+            }
+        }
+    }
+
     std::vector<Time> default_value_;
+    std::vector<Time> largest_;
     std::vector<std::vector<Time>> sample_places_;
     std::mt19937 random_{1};
 };
@@ -215,6 +233,9 @@ std::vector<MeasuredMoment> measured_moments(const SceneView& scene)
     moments.reserve(times.size());
     for (const Time time : times)
         moments.push_back({time, places.default_places()});
+    if (places.largest_places() != places.default_places())
+        for (const Time time : times)
+            moments.push_back({time, places.largest_places()});
     if (scene.number_inputs() != 0)
         add_with_inputs(times, places, moments);
     return moments;

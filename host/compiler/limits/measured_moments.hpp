@@ -18,10 +18,10 @@ struct MeasuredMoment {
 
 /// The times at which the outlines of a scene are measured: four in each frame, or 4000 in all if the scene
 /// is long, and wherever it may change abruptly: the time of every key of drawings, backbones and tracks, and
-/// the tick before; of keys that go by a clock, whenever it comes to
-/// them. Inputs have their default values then. Where a scene has inputs, moments at any time
-/// follow: each input alone at up to 256 values; all at their minimum and all at their maximum; and 1500
-/// combinations, in which most of them are at an end or at a key. How long drawing them takes is not
+/// the tick before; of keys that go by a clock, whenever it comes to them. Inputs have their default values
+/// then, and once more, if labels show numbers, those with the most points. Where a scene has inputs, moments
+/// at any time follow: each input alone at up to 256 values; all at their minimum and all at their maximum;
+/// and 1500 combinations, in which most of them are at an end or at a key. How long drawing them takes is not
 /// considered: thin_out() leaves fewer.
 std::vector<MeasuredMoment> measured_moments(const SceneView& scene);
 

@@ -159,6 +159,10 @@ void OutlineMeter::put_text(std::uint32_t number, std::string_view text)
 
 const raster::Picture& OutlineMeter::picture_at(const SceneTime& moment)
 {
+    if (!std::ranges::equal(inputs_, moment.inputs()))
+        changed_inputs_ |= on_panel_.scene.number_inputs();
+    inputs_.assign(moment.inputs().begin(), moment.inputs().end());
+    on_panel_.inputs = inputs_;
     on_panel_.prepared.move_to(on_panel_.scene, moment, std::exchange(changed_inputs_, 0));
     if (picture_.dependence.is_touched_by(on_panel_.prepared.moved()))
         trace();

@@ -49,7 +49,8 @@ private:
     std::vector<BackboneNode> backbone_nodes_;
     std::vector<std::uint32_t> drawings_; // words, also for the alignment
     std::vector<std::byte> texts_;
-    std::uint32_t changed_inputs_ = 0; ///< a bit for each input whose text differs from that in the picture
+    std::vector<Time> inputs_;         ///< the place of each, as in the picture
+    std::uint32_t changed_inputs_ = 0; ///< a bit for each input whose value differs from that in the picture
     SceneOnPanel on_panel_;
     raster::Picture picture_;
 };

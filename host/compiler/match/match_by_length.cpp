@@ -110,12 +110,13 @@ bool append(const scene::Stroke& whole, Strokes partners, Reversal reversal, Mat
 bool fits(const scene::Drawing& drawing) { return point_count(drawing) <= kfb::max_drawing_points; }
 
 /// `few` has a stroke, and `many` has as many or more.
-std::optional<MatchedDrawings> matched(const scene::Drawing& few, const scene::Drawing& many)
+std::optional<MatchedDrawings> matched(const scene::Drawing& few, const scene::Drawing& many,
+                                       Reversal reversal)
 {
     const Distribution parts{static_cast<std::uint32_t>(many.strokes.size()),
                              static_cast<std::uint32_t>(few.strokes.size())};
-    // With several strokes the direction may distinguish a hole from what is around it.
-    const Reversal reversal = many.strokes.size() == 1 ? Reversal::allowed : Reversal::forbidden;
+    if (many.strokes.size() != 1)
+        reversal = Reversal::forbidden;
     MatchedDrawings result;
     Strokes partners{many.strokes};
     for (std::uint32_t i = 0; i < few.strokes.size(); ++i) {
@@ -130,13 +131,14 @@ std::optional<MatchedDrawings> matched(const scene::Drawing& few, const scene::D
 
 }
 
-std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b)
+std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b,
+                                               Reversal reversal)
 {
     if (a.strokes.empty() || b.strokes.empty())
         return MatchedDrawings{a, b};
     if (a.strokes.size() <= b.strokes.size())
-        return matched(a, b);
-    std::optional<MatchedDrawings> turned = matched(b, a);
+        return matched(a, b, reversal);
+    std::optional<MatchedDrawings> turned = matched(b, a, reversal);
     if (turned)
         std::swap(turned->from, turned->to);
     return turned;

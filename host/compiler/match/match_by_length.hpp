@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/compiler/match/aligned_strokes.hpp"
 #include "host/scene/model.hpp"
 
 #include <optional>
@@ -18,7 +19,11 @@ struct MatchedDrawings {
 /// they fit each other best ("Points by length" in host/compiler/README.md). Single points and drawings whose
 /// partner is empty stay as they are: equalization repeats them.
 ///
+/// Strokes are turned round only where `reversal` allows it, and where both drawings have one alone: with
+/// several the direction may distinguish a hole from what is around it.
+///
 /// None if either would have more than kfb::max_drawing_points.
-std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b);
+std::optional<MatchedDrawings> match_by_length(const scene::Drawing& a, const scene::Drawing& b,
+                                               Reversal reversal = Reversal::allowed);
 
 }

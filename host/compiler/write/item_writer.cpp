@@ -25,10 +25,25 @@ namespace kfast {
 
 namespace {
 
+void write_glyphs(const std::vector<std::uint8_t>& glyphs, ByteWriter& bytes)
+{
+    bytes.u8(static_cast<std::uint32_t>(glyphs.size()));
+    for (const std::uint8_t glyph : glyphs)
+        bytes.u8(glyph);
+}
+
+void write_format(const scene::NumberFormat& format, ByteWriter& bytes)
+{
+    bytes.u8(format.decimals);
+    bytes.u8(kfb::number_format::digits.put(format.digits) | kfb::number_format::places.put(format.places));
+    write_glyphs(format.before, bytes);
+    write_glyphs(format.behind, bytes);
+}
+
 /// Appends a label (docs/format.md, "Live items"), whose drawings go to `drawings`.
 void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& bytes)
 {
-    bytes.u8(static_cast<std::uint32_t>(label.align));
+    bytes.u8(kfb::label::align.put(label.align) | kfb::label::shows_number.put(label.format.has_value()));
     for (const std::int32_t value : {std::int32_t{label.at.x}, std::int32_t{label.at.y}, label.spacing})
         bytes.signed_varint(value);
     std::vector<std::int32_t> offsets;
@@ -48,6 +63,8 @@ void write_label(const scene::Label& label, DrawingPool& drawings, ByteWriter& b
     }
     if (!kerning.empty())
         write_values(kerning, bytes);
+    if (label.format)
+        write_format(*label.format, bytes);
 }
 
 std::uint32_t stored_length(const MeasuredSegment& segment)

@@ -5,7 +5,7 @@
 #include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/carry/deformed_tweens.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
-#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/match/match_by_letters.hpp"
 #include "host/compiler/pack/key_time_writer.hpp"
 #include "host/compiler/pack/value_writer.hpp"
 
@@ -20,18 +20,17 @@ namespace kfast {
 namespace {
 
 /// The drawings at both ends of the tween from `key` to `next`.
-MatchedDrawings ends_of_tween(const scene::Key& key, const scene::Key& next, Diagnostics& diagnostics)
+MatchedDrawings ends_of_tween(const scene::Key& key, const scene::Key& next, bool is_stroked,
+                              Diagnostics& diagnostics)
 {
-    MatchedDrawings as_drawn{key.drawing, next.drawing};
-    if (key.match == scene::Match::count)
-        return as_drawn;
-    if (const auto matched = match_by_length(key.drawing, next.drawing))
+    if (const auto matched = matched_drawings(key, next, is_stroked))
         return *matched;
     diagnostics.error(key.place,
-                      "to match the next key by length takes more than " +
-                          std::to_string(kfb::max_drawing_points) + " points, as many as a drawing holds",
+                      "to match the next key by " + std::string{scene::match_name(key.match)} +
+                          " takes more than " + std::to_string(kfb::max_drawing_points) +
+                          " points, as many as a drawing holds",
                       "draw both with fewer points, or use match=count");
-    return as_drawn;
+    return {key.drawing, next.drawing};
 }
 
 /// The tweens as they are without backbones.
@@ -43,7 +42,7 @@ std::vector<KeyTween> drawn_tweens(const scene::Object& object, Diagnostics& dia
         const bool leads_on = i + 1 < object.keys.size();
         KeyTween tween{
             .time = key.time, .laws = leads_on ? key.laws : LawPair{}, .ends = {}, .place = key.place};
-        tween.ends = leads_on ? ends_of_tween(key, object.keys[i + 1], diagnostics)
+        tween.ends = leads_on ? ends_of_tween(key, object.keys[i + 1], object.stroke.has_value(), diagnostics)
                               : MatchedDrawings{key.drawing, key.drawing};
         tweens.push_back(std::move(tween));
     }
@@ -57,7 +56,7 @@ bool has_arrivals(const scene::Object& object)
     if (!object.backbone_keys.empty())
         return object.keys.size() > 1;
     return std::any_of(object.keys.begin(), object.keys.end() - 1,
-                       [](const scene::Key& key) { return key.match == scene::Match::length; });
+                       [](const scene::Key& key) { return key.match != scene::Match::count; });
 }
 
 KeyTweens key_tweens(const scene::Object& object, Diagnostics& diagnostics)
@@ -126,6 +125,27 @@ std::vector<SkinnedDrawing> skinned_drawings(const scene::Object& object, Diagno
     return drawings;
 }
 
+bool has_fine_weights(const scene::Binding& binding)
+{
+    return std::ranges::any_of(
+        binding, [](const scene::BoneWeight& share) { return share.weight % kfb::skin::coarse_weight != 0; });
+}
+
+/// The last bone has no weight of its own.
+void write_binding(const scene::Binding& binding, bool is_fine, ByteWriter& bytes)
+{
+    for (const scene::BoneWeight& share : binding) {
+        bytes.u8(static_cast<std::uint32_t>(share.bone));
+        if (&share == &binding.back())
+            return;
+        const auto weight = static_cast<std::uint32_t>(share.weight);
+        if (is_fine)
+            bytes.u16(weight);
+        else
+            bytes.u8(weight / kfb::skin::coarse_weight);
+    }
+}
+
 /// Points in a row that follow the same bones are stored as one run.
 void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
 {
@@ -133,12 +153,10 @@ void write_runs(const std::vector<scene::Binding>& bindings, ByteWriter& bytes)
         const auto end = std::find_if(run, bindings.end(),
                                       [run](const scene::Binding& binding) { return binding != *run; });
         const auto points = static_cast<std::uint32_t>(end - run);
-        bytes.varint(kfb::skin::points.put(points - 1) | kfb::skin::bones.put(run->size() - 1));
-        for (const scene::BoneWeight& share : *run) {
-            bytes.u8(static_cast<std::uint32_t>(share.bone));
-            if (&share != &run->back())
-                bytes.u8(static_cast<std::uint32_t>(share.weight));
-        }
+        const bool is_fine = has_fine_weights(*run);
+        bytes.varint(kfb::skin::points.put(points - 1) | kfb::skin::has_fine_weights.put(is_fine) |
+                     kfb::skin::bones.put(run->size() - 1));
+        write_binding(*run, is_fine, bytes);
         run = end;
     }
 }

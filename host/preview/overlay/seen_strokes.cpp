@@ -162,9 +162,7 @@ void trace_live(const SceneOnPanel& on_panel, const LiveView& live, const Affine
     case InputLeaf::drawing:
         return trace_live_strokes(on_panel.drawings.of(scene, live.input), placement, strokes);
     case InputLeaf::label:
-        return LabelTrace{LabelView::of(live.label), on_panel.texts.glyphs(scene, live.input),
-                          scene.drawings()}
-            .trace(placement, strokes);
+        return label_of(on_panel, live).trace(placement, strokes);
     }
 }
 

@@ -193,7 +193,7 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
     };
     if (has_property(object, "fill"))
         refuse(property_span(object, "fill"), "fill", "use stroke=COLOUR alone");
-    for (const std::string_view property : {"skin", "bone"})
+    for (const std::string_view property : {"skin", "bone", "bones"})
         if (has_property(object, property))
             refuse(property_span(object, property), property, "turn the object, or a group around it");
     if (content.weights != nullptr && !has_property(object, "skin"))
@@ -203,10 +203,11 @@ void refuse_beside_wires(const kdl::Node& object, const DrawingContent& content,
     if (deformed != content.keys.end())
         refuse(deformed->skeleton->name_span, "skeleton", "turn the object, or a group around it");
     refuse_cuts_of_wires(object, content, context);
-    const auto matched =
-        std::ranges::find_if(keys, [](const Key& key) { return key.match == Match::length; });
+    const auto matched = std::ranges::find_if(keys, [](const Key& key) { return key.match != Match::count; });
     if (matched != keys.end())
-        context.report.error(matched->place, "match=length does not work with depth", "use match=count");
+        context.report.error(matched->place,
+                             "match=" + std::string{match_name(matched->match)} + " does not work with depth",
+                             "use match=count");
 }
 
 }

@@ -54,7 +54,10 @@ Vec2 Placement::of(Vec2 spot) const { return origin_ + spot.x * x_axis_ + spot.y
 
 Outline Placement::of(const Outline& outline) const
 {
-    Outline placed{.from = of(outline.from), .curves = {}, .closed = outline.closed};
+    Outline placed{.from = of(outline.from),
+                   .curves = {},
+                   .closed = outline.closed,
+                   .begins_letter = outline.begins_letter};
     placed.curves.reserve(outline.curves.size());
     for (const Curve& curve : outline.curves)
         placed.curves.push_back(curve.cubic ? cubic_to(of(curve.c1), of(curve.c2), of(curve.to))
@@ -226,6 +229,8 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
         return false;
     if (outline.sector)
         sectors_.push_back({drawing_.strokes.size(), *outline.sector, form_of(outline)});
+    if (outline.begins_letter || std::exchange(last_node_, &node) != &node)
+        letters_.push_back(drawing_.strokes.size());
     drawing_.strokes.push_back(std::move(stroke));
     outlines_.push_back(std::move(outline));
     return true;

@@ -34,6 +34,8 @@ public:
     Drawing take_depths() { return std::move(depths_); }
     /// See Key::sectors.
     std::vector<SectorStroke> take_sectors() { return std::move(sectors_); }
+    /// See Key::letters.
+    std::vector<std::size_t> take_letters() { return std::move(letters_); }
     /// What take() returns, before rounding.
     std::vector<Outline> take_outlines() { return std::move(outlines_); }
     /// How deeply symbols that have been copied are nested.
@@ -53,6 +55,8 @@ private:
     Drawing depths_;
     std::vector<Outline> outlines_;
     std::vector<SectorStroke> sectors_;
+    std::vector<std::size_t> letters_;
+    const kdl::Node* last_node_ = nullptr; ///< with a stroke
     std::size_t points_ = 0;
     int depth_ = 0;
     bool has_strokes_ = false;       ///< nodes, at least

@@ -134,7 +134,7 @@ std::string hint_of_unused(const Input& input)
     case InputType::drawing:
         return "add live=" + name + " to an object, or remove it";
     }
-    return "add input=" + name + " to a track, an item or a pose, or remove it";
+    return "add input=" + name + " to a track, an item, a pose or a text, or remove it";
 }
 
 }

@@ -17,7 +17,9 @@ namespace {
 constexpr NodeForm drawing_key_form{key_name, "key TIME law=LAW { shapes }", 1, 1, true};
 constexpr NodeForm group_key_form{key_name, "key TIME law=LAW x=X …", 1, 1};
 
-constexpr std::array matches{Word<Match>{"count", Match::count}, Word<Match>{"length", Match::length}};
+constexpr std::array matches{Word<Match>{match_name(Match::count), Match::count},
+                             Word<Match>{match_name(Match::length), Match::length},
+                             Word<Match>{match_name(Match::letters), Match::letters}};
 
 bool read_match(const kdl::Value& value, ItemKey& key, SceneContext& context)
 {
@@ -102,6 +104,7 @@ void read_drawing(const kdl::Node& node, KeyHolder holder, ItemKey& key, SceneCo
     key.drawing = drawing.take();
     key.depths = drawing.take_depths();
     key.sectors = drawing.take_sectors();
+    key.letters = drawing.take_letters();
 }
 
 const kdl::Node* find_skeleton(const kdl::Node& key, KeyHolder holder, SceneContext& context)

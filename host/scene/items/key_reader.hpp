@@ -39,7 +39,8 @@ struct ItemKey {
     std::optional<Drawing> drawing;
     Drawing depths = {}; ///< see Key::depths
     std::vector<SectorStroke> sectors = {};
-    const kdl::Node* skeleton = nullptr; ///< not yet read
+    std::vector<std::size_t> letters = {}; ///< see Key::letters
+    const kdl::Node* skeleton = nullptr;   ///< not yet read
 };
 
 /// Whether anything in `key` is a drawing, or would be one.

@@ -132,6 +132,7 @@ bool read_change(const kdl::Value& value, Target& target, SceneContext& context)
 constexpr std::array skin_rules{
     PropertyRule<Target>{"skin", keep_name<&Target::skin>, any_name},
     PropertyRule<Target>{"bone", keep_name<&Target::bone>, any_name},
+    PropertyRule<Target>{"bones", keep_name<&Target::bones>, any_text},
     PropertyRule<Target>{"change", read_change, ValueKind::one_of<changes>(), false, "skin"},
 };
 

@@ -18,10 +18,11 @@ struct ObjectProperties {
     FillRule fill_rule = FillRule::nonzero;
     StrokeStyle stroke; ///< without colour and width, which are among `values`
     BeamStyle beam;
-    const kdl::Value* skin = nullptr; ///< the name of a skeleton
-    const kdl::Value* bone = nullptr; ///< the name of the only bone that deforms the object
-    bool turns_changes = false;       ///< see Skin
-    const kdl::Value* live = nullptr; ///< the name of the input that is shown instead of drawings
+    const kdl::Value* skin = nullptr;  ///< the name of a skeleton
+    const kdl::Value* bone = nullptr;  ///< the name of the only bone that deforms the object
+    const kdl::Value* bones = nullptr; ///< the names of those whose regions count
+    bool turns_changes = false;        ///< see Skin
+    const kdl::Value* live = nullptr;  ///< the name of the input that is shown instead of drawings
 
     std::optional<std::size_t> fill_colour() const;
     std::optional<StrokeStyle> stroke_style() const;

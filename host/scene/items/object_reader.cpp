@@ -9,7 +9,7 @@
 #include "host/scene/items/skeleton_reader.hpp"
 #include "host/scene/items/symbol_use.hpp"
 #include "host/scene/items/track_builder.hpp"
-#include "host/scene/shapes/text_reader.hpp"
+#include "host/scene/shapes/label_reader.hpp"
 #include "host/scene/skeleton/skin_reader.hpp"
 #include "host/scene/values/input_user.hpp"
 #include "host/scene/values/item_values.hpp"
@@ -127,9 +127,9 @@ private:
         object.keys = read_drawings(content);
         if (is_wire_frame(object.keys))
             return set_wires(content, object);
-        object.skin = read_skin(
-            {properties_.skin, properties_.bone, properties_.turns_changes, content.weights, place_},
-            object.keys, context_);
+        object.skin = read_skin({properties_.skin, properties_.bone, properties_.bones,
+                                 properties_.turns_changes, content.weights, place_},
+                                object.keys, context_);
         if (object.skin)
             take_bone_keys(*object.skin);
         object.backbone_keys = read_skeletons(content.keys, context_);
@@ -181,7 +181,7 @@ private:
         refuse_duplicates(content);
         object.label = read_label(*content.drawn.front(), context_);
         if (object.label)
-            set_default_pivot(object.label->at, properties_.values);
+            set_default_pivot(object.label->pivot, properties_.values);
     }
 
     void refuse_deformers_of_label(const DrawingContent& content)
@@ -190,7 +190,7 @@ private:
         const auto refuse = [this](SourceSpan place, std::string_view deformer) {
             context_.report.error(place, "the text of an input has no " + std::string{deformer}, hint);
         };
-        for (const std::string_view property : {"skin", "bone"})
+        for (const std::string_view property : {"skin", "bone", "bones"})
             if (has_property(node_, property))
                 refuse(property_span(node_, property), property);
         if (content.weights != nullptr)

@@ -115,7 +115,8 @@ std::vector<Key> take_drawings(std::span<ItemKey> keys)
                                 .drawing = std::move(*key.drawing),
                                 .depths = std::move(key.depths),
                                 .place = key.place,
-                                .sectors = std::move(key.sectors)});
+                                .sectors = std::move(key.sectors),
+                                .letters = std::move(key.letters)});
     if (!drawings.empty())
         drawings.back().laws = {};
     return drawings;

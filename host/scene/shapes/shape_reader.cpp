@@ -4,6 +4,7 @@
 #include "host/geometry/shape.hpp"
 #include "host/kdl/document.hpp"
 #include "host/scene/context/scene_context.hpp"
+#include "host/scene/shapes/label_reader.hpp"
 #include "host/scene/shapes/text_reader.hpp"
 #include "host/scene/values/geometry_reader.hpp"
 #include "host/scene/values/value_reader.hpp"
@@ -201,7 +202,7 @@ std::vector<Outline> read_shape(const kdl::Node& node, std::size_t points_left, 
 
 std::vector<NodeSchema> shape_schema()
 {
-    std::vector<NodeSchema> words{text_schema(), label_schema()};
+    std::vector<NodeSchema> words{text_schema(), path_text_schema(), label_schema()};
     for (const Shape& shape : shapes)
         for (auto& properties : shape.properties())
             words.push_back({shape.form.name,

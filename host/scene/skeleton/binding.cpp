@@ -9,21 +9,19 @@
 namespace kfast::scene {
 namespace {
 
-constexpr int whole = 256;
-
 double sum_of(const std::vector<WeightedBone>& bones)
 {
     return std::accumulate(bones.begin(), bones.end(), 0.0,
                            [](double sum, const WeightedBone& bone) { return sum + bone.weight; });
 }
 
-void hand_out(int rest, const std::vector<double>& losses, Binding& binding)
+void hand_out(int rest, int unit, const std::vector<double>& losses, Binding& binding)
 {
     std::vector<std::size_t> order(binding.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return losses[i]; });
-    for (int i = 0; i < rest; ++i)
-        ++binding[order[static_cast<std::size_t>(i)]].weight;
+    for (std::size_t i = 0; rest > 0; ++i, rest -= unit)
+        binding[order[i]].weight += unit;
 }
 
 void add(const Binding& binding, double share, std::vector<WeightedBone>& bones)
@@ -38,21 +36,21 @@ void add(const Binding& binding, double share, std::vector<WeightedBone>& bones)
 
 }
 
-Binding bound(std::vector<WeightedBone> bones)
+Binding bound(std::vector<WeightedBone> bones, int unit)
 {
     std::ranges::stable_sort(bones, std::ranges::greater{}, &WeightedBone::weight);
     bones.resize(std::min(bones.size(), max_bones_at_point));
     const double sum = sum_of(bones);
     Binding binding;
     std::vector<double> losses;
-    int rest = whole;
+    int rest = kfb::skin::whole_weight;
     for (const WeightedBone& bone : bones) {
-        const double weight = bone.weight / sum * whole;
-        binding.push_back({bone.bone, static_cast<int>(weight)});
+        const double weight = bone.weight / sum * (kfb::skin::whole_weight / unit);
+        binding.push_back({bone.bone, static_cast<int>(weight) * unit});
         losses.push_back(weight - std::floor(weight));
         rest -= binding.back().weight;
     }
-    hand_out(rest, losses, binding);
+    hand_out(rest, unit, losses, binding);
     std::erase_if(binding, [](const BoneWeight& bone) { return bone.weight == 0; });
     std::ranges::stable_sort(binding, std::ranges::greater{}, &BoneWeight::weight);
     return binding;

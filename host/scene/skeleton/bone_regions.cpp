@@ -12,23 +12,23 @@
 
 namespace kfast::scene {
 
-BoneRegions::BoneRegions(const Skeleton& skeleton)
+BoneRegions::BoneRegions(const Skeleton& skeleton, const std::vector<std::size_t>& bones)
 {
     const std::vector<BoneFrame> frames = frames_as_set_up(skeleton.bones.bones);
-    for (std::size_t i = 0; i < frames.size(); ++i)
-        regions_.push_back({frames[i].origin, frames[i].tip(), skeleton.regions[i]});
+    for (const std::size_t bone : bones)
+        regions_.push_back({bone, frames[bone].origin, frames[bone].tip(), skeleton.regions[bone]});
 }
 
 std::vector<WeightedBone> BoneRegions::around(Vec2 spot) const
 {
     std::vector<WeightedBone> bones;
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-        const double away = distance_to(regions_[i], spot);
-        if (away >= regions_[i].radius)
+    for (const Region& region : regions_) {
+        const double away = distance_to(region, spot);
+        if (away >= region.radius)
             continue;
-        const double share = away / regions_[i].radius;
+        const double share = away / region.radius;
         const double fall = 1 - share * share;
-        bones.push_back({i, fall * fall});
+        bones.push_back({region.bone, fall * fall});
     }
     return bones;
 }
@@ -37,7 +37,7 @@ std::size_t BoneRegions::nearest(Vec2 spot) const
 {
     const auto nearest = std::ranges::min_element(
         regions_, {}, [&](const Region& region) { return distance_to(region, spot); });
-    return static_cast<std::size_t>(nearest - regions_.begin());
+    return nearest->bone;
 }
 
 double BoneRegions::distance_to(const Region& region, Vec2 spot)
@@ -47,9 +47,9 @@ double BoneRegions::distance_to(const Region& region, Vec2 spot)
 
 namespace {
 
-constexpr int alike = 16;         ///< by how many 1/256 the weights of both differ at most
-constexpr double closeness = 1;   ///< px: the largest distance between bones that overlap
-constexpr double slant = 1.0 / 8; ///< or this fraction of the shorter one
+constexpr int alike = kfb::skin::whole_weight / 16; ///< by how much the weights of both differ at most
+constexpr double closeness = 1;                     ///< px: the largest distance between bones that overlap
+constexpr double slant = 1.0 / 8;                   ///< or this fraction of the shorter one
 
 using BonePair = std::pair<std::size_t, std::size_t>;
 
@@ -167,8 +167,8 @@ void warn_of_overlapping_bones(const std::vector<Bone>& bones, const std::vector
     if (points.size() > 1)
         message += ", and so do points of " + counted(points.size() - 1, "other pair") + " of bones";
     context.report.warning(place, message,
-                           "give them weights { points FIRST LAST { BONE WEIGHT } }, or let each limb be an "
-                           "object with its own bone=NAME");
+                           "let each limb be an object with its own bones=\"NAME …\", or give them weights { "
+                           "points FIRST LAST { BONE WEIGHT } }");
 }
 
 }

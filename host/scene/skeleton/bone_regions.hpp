@@ -11,10 +11,12 @@
 
 namespace kfast::scene {
 
-/// The regions of influence of a skeleton's bones, as set up: all that is nearer to a bone than its radius.
+/// The regions of influence of some of a skeleton's bones, as set up: all that is nearer to a bone than its
+/// radius.
 class BoneRegions {
 public:
-    explicit BoneRegions(const Skeleton& skeleton);
+    /// `bones` are indices of the skeleton's bones, at least one.
+    BoneRegions(const Skeleton& skeleton, const std::vector<std::size_t>& bones);
 
     /// The bones in whose regions `spot` is. A weight is 1 on the bone and falls smoothly to 0 at the
     /// border.
@@ -23,6 +25,7 @@ public:
 
 private:
     struct Region {
+        std::size_t bone;
         Vec2 from;
         Vec2 to;
         double radius;

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,8 +74,9 @@ void SkinPoints::add(Point point)
 void refuse_without_skin(const WrittenSkin& written, SceneContext& context)
 {
     constexpr auto hint = "add skin=NAME to the object, with the name of a skeleton";
-    if (written.bone != nullptr)
-        context.report.error(written.bone->place, "a bone carries only an object that has a skin", hint);
+    for (const kdl::Value* bone : {written.bone, written.bones})
+        if (bone != nullptr)
+            context.report.error(bone->place, "a bone carries only an object that has a skin", hint);
     if (written.weights != nullptr)
         context.report.error(written.weights->name_span, "weights need a skin", hint);
 }
@@ -100,9 +103,11 @@ bool check_keys(const std::vector<Key>& keys, const Drawing& first, SceneContext
     bool good = true;
     for (const Key& key : keys) {
         const std::size_t strokes = key.drawing.strokes.size();
-        if (key.match == Match::length)
-            good =
-                context.report.error(key.place, "match=length does not work with a skin", "use match=count");
+        if (key.match != Match::count)
+            good = context.report.error(key.place,
+                                        std::string{"match="} + std::string{match_name(key.match)} +
+                                            " does not work with a skin",
+                                        "use match=count");
         if (strokes != 0 && strokes != first.strokes.size())
             good = context.report.error(key.place,
                                         "with a skin, all drawings have as many strokes as the first: " +
@@ -120,20 +125,72 @@ const Drawing& first_seen(const std::vector<Key>& keys)
     return first == keys.end() ? keys.front().drawing : first->drawing;
 }
 
+std::optional<std::size_t> read_bone(const kdl::Value& value, const Skeleton& skeleton, SceneContext& context)
+{
+    const auto name = read_name(value, context.report);
+    return name ? read_bone_name(*name, value.place, skeleton.bones.bones, context) : std::nullopt;
+}
+
+/// Each of them once; names with blanks between them.
+std::optional<std::vector<std::size_t>> read_bones(const kdl::Value& value, const Skeleton& skeleton,
+                                                   SceneContext& context)
+{
+    const auto names = read_text(value, context.report);
+    if (!names)
+        return std::nullopt;
+    bool good = true;
+    std::vector<std::size_t> bones;
+    std::istringstream words{std::string{*names}};
+    for (std::string name; words >> name && !context.report.full();) {
+        const auto bone = read_bone_name(name, value.place, skeleton.bones.bones, context);
+        if (bone && std::ranges::find(bones, *bone) != bones.end())
+            good = context.report.error(value.place, in_quotes(name) + " stands here twice",
+                                        "remove one of them");
+        good = good && bone;
+        bones.push_back(bone.value_or(0));
+    }
+    if (bones.empty())
+        good = context.report.error(value.place, "no bone is named here", "write bones=\"NAME NAME\"");
+    return good ? std::optional{bones} : std::nullopt;
+}
+
+std::vector<std::size_t> all_bones(const Skeleton& skeleton)
+{
+    std::vector<std::size_t> bones(skeleton.bones.bones.size());
+    std::iota(bones.begin(), bones.end(), std::size_t{0});
+    return bones;
+}
+
+bool refuse_both(SourceSpan place, std::string_view one, std::string_view other, SceneContext& context)
+{
+    return context.report.error(
+        place, "both " + std::string{one} + " and " + std::string{other} + " say what carries the object",
+        "leave it to one of them");
+}
+
+std::optional<std::vector<Binding>> bound_to_one(const WrittenSkin& written, const Skeleton& skeleton,
+                                                 std::size_t points, SceneContext& context)
+{
+    if (written.bones != nullptr)
+        refuse_both(written.bones->place, "bone=", "bones=", context);
+    if (written.weights != nullptr)
+        refuse_both(written.weights->name_span, "bone=", "weights", context);
+    const auto bone = read_bone(*written.bone, skeleton, context);
+    return bone ? std::optional{std::vector<Binding>(points, bound({{*bone, 1}}))} : std::nullopt;
+}
+
 std::optional<std::vector<Binding>> read_bindings(const WrittenSkin& written, const Skeleton& skeleton,
                                                   const std::vector<Vec2>& spots, SceneContext& context)
 {
-    if (written.bone == nullptr)
-        return read_weights(written.weights, skeleton, spots, written.place, context);
-    if (written.weights != nullptr)
-        context.report.error(written.weights->name_span, "both bone= and weights say what carries the object",
-                             "leave it to one of them");
-    const auto name = read_name(*written.bone, context.report);
-    const auto bone =
-        name ? read_bone_name(*name, written.bone->place, skeleton.bones.bones, context) : std::nullopt;
-    if (!bone)
+    if (written.bone != nullptr)
+        return bound_to_one(written, skeleton, spots.size(), context);
+    if (written.bones != nullptr && written.weights != nullptr && !written.weights->children.empty())
+        refuse_both(written.weights->name_span, "bones=", "weights", context);
+    const auto bones =
+        written.bones == nullptr ? all_bones(skeleton) : read_bones(*written.bones, skeleton, context);
+    if (!bones)
         return std::nullopt;
-    return std::vector<Binding>(spots.size(), bound({{*bone, 1}}));
+    return read_weights(written.weights, skeleton, *bones, spots, written.place, context);
 }
 
 }

@@ -13,6 +13,7 @@ namespace kfast::scene {
 struct WrittenSkin {
     const kdl::Value* skeleton = nullptr; ///< of its property "skin"
     const kdl::Value* bone = nullptr;     ///< of its property "bone"
+    const kdl::Value* bones = nullptr;    ///< of its property "bones"
     bool turns_changes = false;           ///< of its property "change"
     const kdl::Node* weights = nullptr;
     SourceSpan place; ///< of the object

@@ -45,7 +45,7 @@ std::string points_text(std::size_t count)
 Binding spread_out(std::vector<WeightedBone> bones, Spread spread)
 {
     if (spread == Spread::by_distance)
-        return bound(std::move(bones));
+        return coarsely_bound(std::move(bones));
     std::ranges::stable_sort(bones, std::ranges::greater{}, &WeightedBone::weight);
     bones.resize(std::min(bones.size(), max_bones_at_point));
     for (WeightedBone& bone : bones)
@@ -63,10 +63,9 @@ void warn_of_points_outside(std::size_t count, Vec2 first, SourceSpan place, Sce
                            "let a bone have a larger region=…, or give weights");
 }
 
-std::vector<Binding> weights_of_regions(const Skeleton& skeleton, const std::vector<Vec2>& spots,
+std::vector<Binding> weights_of_regions(const BoneRegions& regions, const std::vector<Vec2>& spots,
                                         Spread spread, SourceSpan place, SceneContext& context)
 {
-    const BoneRegions regions{skeleton};
     std::vector<Binding> bindings;
     std::vector<Vec2> outside;
     for (const Vec2 spot : spots) {
@@ -214,11 +213,13 @@ private:
 }
 
 std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const Skeleton& skeleton,
+                                                 const std::vector<std::size_t>& bones,
                                                  const std::vector<Vec2>& spots, SourceSpan place,
                                                  SceneContext& context)
 {
+    const BoneRegions regions{skeleton, bones};
     if (weights == nullptr) {
-        auto bindings = weights_of_regions(skeleton, spots, Spread::by_distance, place, context);
+        auto bindings = weights_of_regions(regions, spots, Spread::by_distance, place, context);
         warn_of_overlapping_bones(skeleton.bones.bones, bindings, place, context);
         return bindings;
     }
@@ -234,7 +235,7 @@ std::optional<std::vector<Binding>> read_weights(const kdl::Node* weights, const
     const auto spread = read_word(weights->arguments.front(), spreads, context.report);
     if (!spread)
         return std::nullopt;
-    return weights_of_regions(skeleton, spots, *spread, place, context);
+    return weights_of_regions(regions, spots, *spread, place, context);
 }
 
 std::vector<NodeSchema> weights_schema()

@@ -113,24 +113,29 @@ std::vector<Outline> read_path(const kdl::Node& node, std::size_t points_left, S
     return std::move(*outlines);
 }
 
-std::optional<Path> read_along_path(const kdl::Value& data, SceneContext& context)
+std::optional<Outline> read_followed_path(const kdl::Value& data, std::string_view what,
+                                          SceneContext& context)
 {
     const auto outlines = read_path_data(data, max_points, context);
     if (!outlines)
         return std::nullopt;
     if (outlines->size() > 1) {
         context.report.error(data.place,
-                             "an item follows one stroke; this path has " + std::to_string(outlines->size()),
+                             std::string{what} + " follows one stroke; this path has " +
+                                 std::to_string(outlines->size()),
                              "leave out all M but the first, and what is behind Z");
         return std::nullopt;
     }
-    Path path;
-    if (!outlines->empty())
-        path.stroke = quantized(outlines->front());
-    if (!path.stroke.segments.empty())
-        return path;
+    if (!outlines->empty() && !quantized(outlines->front()).segments.empty())
+        return outlines->front();
     context.report.error(data.place, "this path leads nowhere", "write one such as \"M 20 20 L 80 20\"");
     return std::nullopt;
+}
+
+std::optional<Path> read_along_path(const kdl::Value& data, SceneContext& context)
+{
+    const auto outline = read_followed_path(data, "an item", context);
+    return outline ? std::optional{Path{.stroke = quantized(*outline)}} : std::nullopt;
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 /// Points on the canvas. Each function reports what is wrong and then returns nothing.
@@ -27,6 +28,11 @@ std::optional<std::vector<Outline>> read_path_data(const kdl::Value& value, std:
 
 /// Like read_shape(), for the node path, whose form has been checked.
 std::vector<Outline> read_path(const kdl::Node& node, std::size_t points_left, SceneContext& context);
+
+/// A path that something follows, one stroke with an extent; else it is reported and nothing is returned.
+/// `what` follows it, "an item".
+std::optional<Outline> read_followed_path(const kdl::Value& data, std::string_view what,
+                                          SceneContext& context);
 
 /// What the item of `track along "DATA"` follows. Nothing when it is no single stroke with an extent, which
 /// is reported.

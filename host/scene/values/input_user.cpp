@@ -76,4 +76,12 @@ std::optional<std::size_t> use_input(const kdl::Value& name, InputType type, Sce
     return std::nullopt;
 }
 
+std::optional<std::size_t> use_label_input(const kdl::Value& name, SceneContext& context)
+{
+    const auto* const text = name.string();
+    const InputEntry* const entry = text == nullptr ? nullptr : context.inputs.find(*text);
+    const bool is_number = entry != nullptr && entry->input.type == InputType::number;
+    return use_input(name, is_number ? InputType::number : InputType::text, context);
+}
+
 }

@@ -13,4 +13,7 @@ namespace kfast::scene {
 /// none.
 std::optional<std::size_t> use_input(const kdl::Value& name, InputType type, SceneContext& context);
 
+/// The same for one that a label shows, a number or a text.
+std::optional<std::size_t> use_label_input(const kdl::Value& name, SceneContext& context);
+
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace kfast::scene {
@@ -107,39 +108,86 @@ bool read_leading(const kdl::Value& value, Properties& properties, SceneContext&
     return assign(read_number(value, extents, context.report), properties.leading);
 }
 
-bool keep_input(const kdl::Value& value, Properties& properties, SceneContext&)
+template <const kdl::Value* Properties::*kept>
+bool keep_value(const kdl::Value& value, Properties& properties, SceneContext&)
 {
-    properties.input = &value;
+    properties.*kept = &value;
     return true;
 }
 
+constexpr std::array vertical_alignments{Word<VerticalAlign>{"baseline", VerticalAlign::baseline},
+                                         Word<VerticalAlign>{"top", VerticalAlign::top},
+                                         Word<VerticalAlign>{"middle", VerticalAlign::middle},
+                                         Word<VerticalAlign>{"bottom", VerticalAlign::bottom}};
+constexpr Range starts{0, 1};
+
+bool read_vertical(const kdl::Value& value, Properties& properties, SceneContext& context)
+{
+    return assign(read_word(value, vertical_alignments, context.report), properties.style.vertical);
+}
+
+bool read_along(const kdl::Value& value, Properties& properties, SceneContext& context)
+{
+    const auto path = read_followed_path(value, "a text", context);
+    if (path)
+        properties.style.along = std::make_shared<const PathRuler>(*path);
+    return path.has_value();
+}
+
+bool read_start(const kdl::Value& value, Properties& properties, SceneContext& context)
+{
+    return assign(read_number(value, starts, context.report), properties.start);
+}
+
+constexpr PropertyRule<Properties> at_rule{"at", read_at, any_spot, true};
+constexpr PropertyRule<Properties> vertical_rule{"vertical", read_vertical,
+                                                 ValueKind::one_of<vertical_alignments>()};
 constexpr std::array line_rules{
-    PropertyRule<Properties>{"at", read_at, any_spot, true},
     PropertyRule<Properties>{"size", read_size, ValueKind::pixels(sizes), true},
     PropertyRule<Properties>{"font", read_font, any_font},
     PropertyRule<Properties>{"align", read_align, ValueKind::one_of<alignments>()},
     PropertyRule<Properties>{"spacing", read_spacing, ValueKind::pixels(spacings)},
 };
 constexpr auto fixed_rules = joined(
-    line_rules, std::array{PropertyRule<Properties>{"leading", read_leading, ValueKind::pixels(extents)}});
-constexpr auto label_rules =
-    joined(line_rules, std::array{PropertyRule<Properties>{"input", keep_input, any_name}});
+    std::array{at_rule}, line_rules,
+    std::array{vertical_rule, PropertyRule<Properties>{"leading", read_leading, ValueKind::pixels(extents)}});
+constexpr auto path_rules =
+    joined(std::array{PropertyRule<Properties>{"along", read_along, any_path, true},
+                      PropertyRule<Properties>{"start", read_start, ValueKind::number(starts)}},
+           line_rules);
+constexpr auto label_rules = joined(
+    std::array{at_rule}, line_rules,
+    std::array{vertical_rule, PropertyRule<Properties>{"input", keep_value<&Properties::input>, any_name},
+               PropertyRule<Properties>{"format", keep_value<&Properties::format>, any_text}});
+
+bool read_properties_of(TextKind kind, const kdl::Node& node, Properties& properties, SceneContext& context)
+{
+    switch (kind) {
+    case TextKind::fixed:
+        break;
+    case TextKind::on_path:
+        return read_properties(node, path_rules, properties, context);
+    case TextKind::label:
+        return read_properties(node, label_rules, properties, context);
+    }
+    return read_properties(node, fixed_rules, properties, context);
+}
 
 }
 
 std::optional<TextProperties> read_text_properties(const kdl::Node& node, TextKind kind,
                                                    SceneContext& context)
 {
-    Properties properties{
-        .style = {}, .font = std::string{FontShelf::bundled_names().front()}, .leading = {}};
-    const bool good = kind == TextKind::fixed ? read_properties(node, fixed_rules, properties, context)
-                                              : read_properties(node, label_rules, properties, context);
-    if (!good)
+    Properties properties;
+    properties.font = FontShelf::bundled_names().front();
+    if (!read_properties_of(kind, node, properties, context))
         return std::nullopt;
     TextStyle& style = properties.style;
     if (style.font == nullptr)
         style.font = &context.fonts.font(properties.font);
     style.leading = properties.leading.value_or(default_leading * style.size);
+    if (style.along)
+        style.start = properties.start * style.along->length();
     return properties;
 }
 
@@ -170,7 +218,15 @@ void note_lines(const TextProperties& properties, SourceSpan place, SceneContext
 
 std::vector<PropertySchema> text_property_schema(TextKind kind)
 {
-    return kind == TextKind::fixed ? schema_of(fixed_rules) : schema_of(label_rules);
+    switch (kind) {
+    case TextKind::fixed:
+        break;
+    case TextKind::on_path:
+        return schema_of(path_rules);
+    case TextKind::label:
+        return schema_of(label_rules);
+    }
+    return schema_of(fixed_rules);
 }
 
 }

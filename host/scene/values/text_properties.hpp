@@ -17,12 +17,15 @@ struct TextProperties {
     TextStyle style;
     std::string font;
     std::optional<double> leading;
-    const kdl::Value* input = nullptr; ///< the name of one
+    double start = 0;                   ///< share of the length of the path
+    const kdl::Value* input = nullptr;  ///< the name of one
+    const kdl::Value* format = nullptr; ///< of a number
 };
 
 enum class TextKind : std::uint8_t {
-    fixed, ///< its words are written
-    label, ///< its words are those of an input, on one line
+    fixed,   ///< its words are written
+    on_path, ///< they are, and run along a path
+    label,   ///< its words are those of an input, on one line
 };
 
 /// Reads the properties. Nothing when they are wrong, which is reported.

@@ -184,8 +184,9 @@ std::vector<kdl::Node> weight_nodes(const scene::Binding& binding, const RigName
 {
     std::vector<kdl::Node> nodes;
     for (const scene::BoneWeight& bone : binding)
-        nodes.push_back(named_node(names.bones[bone.bone],
-                                   number(on_grid(bone.weight / 256.0, fine_weights), fine_weights)));
+        nodes.push_back(named_node(
+            names.bones[bone.bone],
+            number(on_grid(bone.weight / double{kfb::skin::whole_weight}, fine_weights), fine_weights)));
     return nodes;
 }
 

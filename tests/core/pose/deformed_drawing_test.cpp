@@ -42,7 +42,7 @@ public:
     {
         Spot sum{0, 0};
         for (const RawInfluence& share : shares)
-            sum = sum + share.weight / 256.0 * spot(bones_[static_cast<std::size_t>(share.bone)](point));
+            sum = sum + share.weight / 65536.0 * spot(bones_[static_cast<std::size_t>(share.bone)](point));
         return sum;
     }
 
@@ -159,7 +159,7 @@ TEST_CASE("bones of equal weight carry a point to the mean of where each would")
     const FourBones bones;
     const scene::Drawing point{{polyline_of({{16 * 90, 16 * 30}})}};
     const Bytes bytes = packed(point);
-    const Bytes skin = skin_bytes({{1, {{0, 64}, {1, 64}, {2, 64}, {3, 64}}}});
+    const Bytes skin = skin_bytes({{1, {{0, 16'384}, {1, 16'384}, {2, 16'384}, {3, 16'384}}}});
     const PackedDrawing read = drawing_at(bytes, 0);
     DeformedDrawing deformed{read, read, SkinReader{ByteReader{skin}}, bones.all()};
     deformed.next_stroke();

@@ -24,18 +24,18 @@ Shares shares_of(const Binding& binding)
 
 }
 
-TEST_CASE("points of a run have the same bones, and the last bone has the rest of 256")
+TEST_CASE("points of a run have the same bones, and the last bone has the rest of the weights")
 {
-    const Bytes skin = bytes({0, 4 * 2, 7, 1, 3, 100, 9, 3, 1, 1, 2, 2, 3, 3, 4, 99});
+    const Bytes skin = bytes({0, 8 * 2, 7, 1, 3, 100, 9, 4 + 3, 1, 1, 0, 2, 2, 0, 3, 3, 128, 4, 99});
     SkinReader reader{ByteReader{skin}};
     CHECK_FALSE(reader.has_drawing_at_rest());
     for (int point = 0; point < 3; ++point) {
         CHECK(reader.run_is_over() == (point == 0));
-        CHECK(shares_of(reader.next()) == Shares{{7, 256}});
+        CHECK(shares_of(reader.next()) == Shares{{7, 65'536}});
     }
     CHECK(reader.run_is_over());
-    CHECK(shares_of(reader.next()) == Shares{{3, 100}, {9, 156}});
-    CHECK(shares_of(reader.next()) == Shares{{1, 1}, {2, 2}, {3, 3}, {4, 250}});
+    CHECK(shares_of(reader.next()) == Shares{{3, 25'600}, {9, 39'936}});
+    CHECK(shares_of(reader.next()) == Shares{{1, 1}, {2, 2}, {3, 32'771}, {4, 32'762}});
     CHECK(reader.run_is_over());
     CHECK(reader.is_valid());
 }
@@ -45,7 +45,7 @@ TEST_CASE("one bone may carry all points")
     SkinReader reader = SkinReader::of(7);
     CHECK_FALSE(reader.has_drawing_at_rest());
     for (int point = 0; point < 70'000; ++point)
-        REQUIRE(shares_of(reader.next()) == Shares{{7, 256}});
+        REQUIRE(shares_of(reader.next()) == Shares{{7, 65'536}});
     CHECK(reader.is_valid());
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("a skin may name the drawing at rest, also the first one")
     CHECK(SkinReader{ByteReader{later}}.drawing_at_rest() == 128);
 }
 
-TEST_CASE("any runs are read back, and weights add up to 256")
+TEST_CASE("any runs are read back, and weights add up to the whole")
 {
     std::mt19937 random{81};
     for (int round = 0; round < rounds(2000); ++round) {
@@ -85,12 +85,12 @@ TEST_CASE("weights over 255 leave less than 1 for the last bone")
 
 TEST_CASE("a skin that breaks off is noticed")
 {
-    const Bytes skin = bytes({0, 1, 3, 100, 9});
-    for (std::size_t size = 0; size < skin.size(); ++size) {
-        SkinReader reader{ByteReader{std::span{skin}.first(size)}};
-        reader.next();
-        CHECK_FALSE(reader.is_valid());
-    }
+    for (const Bytes& skin : {bytes({0, 1, 3, 100, 9}), bytes({0, 4 + 1, 3, 100, 0, 9})})
+        for (std::size_t size = 0; size < skin.size(); ++size) {
+            SkinReader reader{ByteReader{std::span{skin}.first(size)}};
+            reader.next();
+            CHECK_FALSE(reader.is_valid());
+        }
 }
 
 }

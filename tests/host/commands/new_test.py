@@ -100,7 +100,7 @@ class GalleryTest(CommandTest):
         listed = json.loads(self.run_kfast("new", "--list", "--json").stdout)
         self.assertEqual({one["name"] for one in listed}, {scene.stem for scene in GALLERY})
         gauge = next(one for one in listed if one["name"] == "gauge")
-        self.assertEqual(gauge["inputs"], ["value", "words"])
+        self.assertEqual(gauge["inputs"], ["value"])
 
     def test_options_that_do_not_go_together(self):
         self.refuse("new", "--list", "mine.kfast", status=2, says="SCENE excludes --list")

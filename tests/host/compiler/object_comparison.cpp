@@ -4,13 +4,14 @@
 #include "host/compiler/carry/backbone_timeline.hpp"
 #include "host/compiler/carry/deformed_tweens.hpp"
 #include "host/compiler/carry/skinned_drawing.hpp"
-#include "host/compiler/match/match_by_length.hpp"
+#include "host/compiler/match/match_by_letters.hpp"
 #include "host/compiler/write/key_writer.hpp"
 #include "tests/host/compiler/law_comparison.hpp"
 #include "tests/host/compiler/unpacked_drawing.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>
+#include <span>
 
 namespace kfast::test {
 namespace {
@@ -38,6 +39,18 @@ private:
         CHECK(read.live.input == *object.live);
     }
 
+    static void compare_format(const LabelView& stored, const scene::Label& label)
+    {
+        REQUIRE(stored.shows_number == label.format.has_value());
+        if (!label.format)
+            return;
+        CHECK(stored.format.decimals == label.format->decimals);
+        CHECK(stored.format.digits == label.format->digits);
+        CHECK(stored.format.places == label.format->places);
+        CHECK(std::ranges::equal(stored.format.before, std::as_bytes(std::span{label.format->before})));
+        CHECK(std::ranges::equal(stored.format.behind, std::as_bytes(std::span{label.format->behind})));
+    }
+
     void compare_label(const ItemView& read, const scene::Object& object)
     {
         compare_style(read.object.style, object);
@@ -49,6 +62,7 @@ private:
         CHECK(stored.x == label.at.x);
         CHECK(stored.y == label.at.y);
         CHECK(stored.spacing == label.spacing);
+        compare_format(stored, label);
         REQUIRE(stored.glyph_count == label.glyphs.size());
         for (std::uint32_t glyph = 0; glyph < stored.glyph_count; ++glyph) {
             CHECK(stored.advances[glyph] == label.glyphs[glyph].advance);
@@ -115,8 +129,8 @@ private:
         const scene::Key& key = object.keys[i];
         const scene::Key& next = object.keys[std::min(i + 1, object.keys.size() - 1)];
         MatchedDrawings expected{key.drawing, next.drawing};
-        if (key.match == scene::Match::length && &next != &key)
-            expected = *match_by_length(key.drawing, next.drawing);
+        if (&next != &key)
+            expected = *matched_drawings(key, next, object.stroke.has_value());
         CHECK(unpacked(view_.drawing(read.drawing)) == expected.from);
         if (has_arrivals)
             CHECK(unpacked(view_.drawing(read.arrival)) == expected.to);

@@ -35,7 +35,7 @@ public:
         const Vec2 rest = spot_of(at_rest);
         Vec2 moved = spot_of(point) - rest;
         for (const scene::BoneWeight& share : *binding_)
-            moved = moved + share.weight / 256.0 * motions_[share.bone](rest);
+            moved = moved + share.weight / 65536.0 * motions_[share.bone](rest);
         return {fixed(moved.x), fixed(moved.y)};
     }
 

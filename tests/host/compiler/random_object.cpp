@@ -23,17 +23,31 @@ void give_look(Dice& dice, scene::Object& object, std::size_t colours)
         object.fill_rule = static_cast<FillRule>(dice.within(0, 1));
 }
 
+scene::Match random_match(Dice& dice) { return static_cast<scene::Match>(dice.within(0, 2)); }
+
+/// The first strokes of letters.
+std::vector<std::size_t> random_letters(Dice& dice, const scene::Drawing& drawing)
+{
+    std::vector<std::size_t> letters;
+    for (std::size_t stroke = 0; stroke < drawing.strokes.size(); ++stroke)
+        if (stroke == 0 || dice.sometimes())
+            letters.push_back(stroke);
+    return letters;
+}
+
 void give_keys(Dice& dice, scene::Object& object)
 {
     RisingTimes times{dice};
     for (int left = dice.within(1, 4); left > 0; --left)
         object.keys.push_back({.time = times.next(),
                                .laws = random_laws(dice),
-                               .match = dice.sometimes() ? scene::Match::length : scene::Match::count,
+                               .match = random_match(dice),
                                .drawing = random_drawing(dice),
                                .place = {}});
     if (dice.sometimes())
         object.keys.back().drawing = object.keys.front().drawing;
+    for (scene::Key& key : object.keys)
+        key.letters = random_letters(dice, key.drawing);
 }
 
 scene::TextInput random_text(Dice& dice)
@@ -53,6 +67,7 @@ scene::Label random_label(Dice& dice, std::size_t input, std::size_t glyphs)
 {
     scene::Label label{.input = input,
                        .at = random_point(dice),
+                       .pivot = {},
                        .align = static_cast<Align>(dice.within(0, 2)),
                        .spacing = dice.within(-9000, 9000),
                        .glyphs = {},
@@ -66,10 +81,36 @@ scene::Label random_label(Dice& dice, std::size_t input, std::size_t glyphs)
     return label;
 }
 
+scene::NumberFormat random_format(Dice& dice, std::size_t glyphs)
+{
+    const auto any_glyphs = [&dice, glyphs](int max) {
+        std::vector<std::uint8_t> numbers;
+        for (int left = dice.within(0, max); left > 0; --left)
+            numbers.push_back(static_cast<std::uint8_t>(dice.below(glyphs)));
+        return numbers;
+    };
+    return {.decimals = static_cast<std::uint32_t>(dice.within(0, 3)),
+            .digits = static_cast<std::uint32_t>(dice.within(1, 4)),
+            .places = static_cast<std::uint32_t>(dice.within(0, 5)),
+            .before = any_glyphs(3),
+            .behind = any_glyphs(2)};
+}
+
+void show_number(Dice& dice, scene::Object& object, std::vector<scene::Input>& inputs)
+{
+    const auto glyphs = static_cast<std::size_t>(dice.within(13, 16));
+    object.keys.clear();
+    object.label = random_label(dice, inputs.size(), glyphs);
+    object.label->format = random_format(dice, glyphs);
+    inputs.push_back({.name = {}, .min = -dice.within(0, 90'000), .max = dice.within(1, 90'000)});
+}
+
 void show_text(Dice& dice, scene::Object& object, std::vector<scene::Input>& inputs)
 {
     if (inputs.size() == max_texts)
         return;
+    if (dice.sometimes())
+        return show_number(dice, object, inputs);
     const scene::TextInput text = random_text(dice);
     object.keys.clear();
     object.label = random_label(dice, inputs.size(), text.glyphs.size());

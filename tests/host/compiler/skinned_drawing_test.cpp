@@ -10,9 +10,9 @@
 namespace kfast::test {
 namespace {
 
-const scene::Binding a{{0, 256}};
-const scene::Binding b{{1, 256}};
-const scene::Binding half{{0, 128}, {1, 128}};
+const scene::Binding a{{0, 65'536}};
+const scene::Binding b{{1, 65'536}};
+const scene::Binding half{{0, 32'768}, {1, 32'768}};
 
 scene::Drawing joined(const scene::Drawing& first, const scene::Drawing& second)
 {
@@ -62,7 +62,7 @@ TEST_CASE("where a drawing has more points, the first is divided, and its neighb
     CHECK(skinned->drawing == second);
     CHECK(skinned->at_rest == lines({{0, 0}, {8, 0}, {16, 0}, {24, 0}, {32, 0}}));
     CHECK(skinned->bindings ==
-          std::vector<scene::Binding>{a, {{0, 192}, {1, 64}}, half, {{1, 192}, {0, 64}}, b});
+          std::vector<scene::Binding>{a, {{0, 49'152}, {1, 16'384}}, half, {{1, 49'152}, {0, 16'384}}, b});
 }
 
 TEST_CASE("where a drawing has fewer points, it is divided itself; strokes each for themselves")

@@ -71,8 +71,9 @@ TEST_CASE("layers in a precomposition are named with what they are in")
 
 TEST_CASE("an expression of a parent that is not drawn is reported as well")
 {
-    CHECK(lost(animation_text(solid(R"("parent": 2, )") +
-                              R"(,{"ty": 3, "ind": 2, "nm": "n", "ks": {"p": {"k": [1, 2], "x": "wiggle(2, 9);"
+    CHECK(
+        lost(animation_text(solid(R"("parent": 2, )") +
+                            R"(,{"ty": 3, "ind": 2, "nm": "n", "ks": {"p": {"k": [1, 2], "x": "wiggle(2, 9);"
 }
 }
 })")) == "n: expression of ks.p");

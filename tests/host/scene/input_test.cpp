@@ -74,7 +74,7 @@ TEST_CASE("an input that is not there, or that nothing goes by, is told")
     CHECK(findings("", "track x input=gaze { at 0 0 }") ==
           "5:15 error: unknown input \"gaze\" (add \"input gaze min=0 max=1\" to the scene)");
     CHECK(findings("input a", "rect 3 3 3 3") == "3:1 warning: the input \"a\" moves nothing (add input=a to "
-                                                 "a track, an item or a pose, or remove it)");
+                                                 "a track, an item, a pose or a text, or remove it)");
     CHECK(findings("input a").empty());
 }
 

@@ -62,10 +62,7 @@ TEST_CASE("what is wrong with a text is told at its place")
           "3:1 error: input needs the property \"glyphs\" (add glyphs=…)");
     CHECK(findings("input t kind=text glyphs=a") ==
           "3:1 error: input needs the property \"max\" (add max=…)");
-    CHECK(findings("input t kind=txt") == "3:14 error: unknown value \"txt\" (did you mean \"text\"?)\n"
-                                          "5:12 error: the input \"t\" is a number, not a text (a text is "
-                                          "shown by 'text input=NAME'; keys go by "
-                                          "numbers)");
+    CHECK(findings("input t kind=txt") == "3:14 error: unknown value \"txt\" (did you mean \"text\"?)");
     CHECK(findings("input t kind=text glyphs=\"\" max=3") ==
           "3:26 error: this input has no characters (write those that it may have, as in \"0-9:%\")");
     CHECK(findings("input t kind=text glyphs=\"x9-0\" max=3")
@@ -98,6 +95,8 @@ TEST_CASE("a label has the letters of its font, in their size")
     CHECK(sans.glyphs[1].advance == 8 * kfb::advance_one);
     CHECK(text_of(sans.glyphs[1].drawing) == "M 4 -21 L 4 0");
     CHECK(sans.kerning.empty());
+    CHECK(label("at=\"9,40\" size=32 font=hershey-sans vertical=middle").at == scene::Point{144, 808});
+    CHECK(label("at=\"9,40\" size=32 font=hershey-sans vertical=top").at == scene::Point{144, 976});
     CHECK(text_of(label("at=\"0,0\" size=32 font=hershey-serif").glyphs[1].drawing) ==
           "M 5 -21 L 5 0 M 6 -21 L 6 0 M 2 -21 L 9 -21 M 2 0 L 9 0");
 }
@@ -112,6 +111,9 @@ TEST_CASE("a label turns about its place")
             std::string{plain} +
             "\nobject o stroke=red rotate=90 pivot-x=1 { text input=t at=\"9,7\" size=20 font=hershey-sans }")
             .find("pivot_x[16] pivot_y[112]") != std::string::npos);
+    CHECK(items_read(std::string{plain} + "\nobject o stroke=red rotate=90 { text input=t at=\"9,7\" size=20 "
+                                          "font=hershey-sans vertical=middle }")
+              .find("pivot_x[144] pivot_y[112]") != std::string::npos);
 }
 
 TEST_CASE("a label stands alone in an object, without carriers")
@@ -144,8 +146,8 @@ TEST_CASE("what is wrong with a label is told at its place")
               .find("5:12 error: unknown input \"q\"") != std::string::npos);
     CHECK(findings("", "text input=q at=\"9,9\" size=32 font=hershey-sans") ==
           "5:12 error: unknown input \"q\" (add \"input q kind=text glyphs=A-Z max=8\" to the scene)");
-    CHECK(findings("input n", "text input=n at=\"9,9\" size=32 font=hershey-sans")
-              .starts_with("5:12 error: the input \"n\" is a number, not a text"));
+    CHECK(findings("input n kind=drawing points=2", "text input=n at=\"9,9\" size=32 font=hershey-sans")
+              .starts_with("5:12 error: the input \"n\" is a drawing, not a text"));
     CHECK(findings(plain, "text words input=t at=\"9,9\" size=32 font=hershey-sans")
               .find("5:6 error: this value is too many") != std::string::npos);
     CHECK(findings(plain, "text input=t size=32").find("5:1 error: text needs the property \"at\"") !=

@@ -137,7 +137,7 @@ TEST_CASE("an object with mistakes")
           "3:10 error: object has no property \"fil\" (did you mean \"fill\"?)");
     CHECK(read_on_canvas("object o fill=red wibble=1 { key 0 { empty } }").findings ==
           "3:19 error: object has no property \"wibble\" (allowed: fill, stroke, width, cap, join, miter, "
-          "rule, beam, hatch, hatch-angle, skin, bone, change, trim-from, trim-to, trim-offset, trim, "
+          "rule, beam, hatch, hatch-angle, skin, bone, bones, change, trim-from, trim-to, trim-offset, trim, "
           "dash, dash-offset, x, y, z, rotate, rotate-x, rotate-y, "
           "rotate-z, scale, scale-x, scale-y, opacity, order, visible, pivot-x, pivot-y, input, live)");
     CHECK(read_on_canvas("object o stroke=red cap=rund { key 0 { empty } }").findings ==

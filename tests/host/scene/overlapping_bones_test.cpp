@@ -19,8 +19,8 @@ std::string findings_of_legs(const std::string& object,
 
 const std::string legs = "skin=s { line 50 20 50 30; line 50 60 50 80; line 50 70 50 80 }";
 const std::string hint =
-    " (give them weights { points FIRST LAST { BONE WEIGHT } }, or let each limb be an object "
-    "with its own bone=NAME)";
+    " (let each limb be an object with its own bones=\"NAME …\", or give them weights { points FIRST LAST { "
+    "BONE WEIGHT } })";
 
 }
 

@@ -118,7 +118,8 @@ std::string text_of(const scene::Binding& binding, const std::vector<scene::Bone
     for (const scene::BoneWeight& share : binding) {
         text.append(text.empty() ? "" : "|").append(bones.at(share.bone).name);
         if (&share != binding.data())
-            text += ':' + std::to_string(share.weight);
+            text += ':' + (share.weight % 256 == 0 ? std::to_string(share.weight / 256)
+                                                   : std::to_string(share.weight) + "/65536");
     }
     return text;
 }

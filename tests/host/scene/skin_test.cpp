@@ -45,6 +45,27 @@ TEST_CASE("one bone carries a whole object")
           "1:59 error: both bone= and weights say what carries the object (leave it to one of them)");
 }
 
+TEST_CASE("some bones carry an object by their regions")
+{
+    const auto object = [](const std::string& properties) {
+        return skin_read("object o fill=red skin=s " + properties);
+    };
+    const std::string path = " { path \"M 20 70 L 24 46 40 40\" }";
+    CHECK(object(path) == "a a|b:94 b");
+    CHECK(object("bones=\"a b\"" + path) == "a a|b:94 b");
+    CHECK(object("bones=\" b  a \"" + path) == "a a|b:94 b");
+    CHECK(object("bones=b { path \"M 40 40 L 24 46\"; weights mean }") == "b b");
+    CHECK(object("bones=a { path \"M 20 70 L 40 40\" }")
+              .starts_with("a a\n1:1 warning: 1 point of this object"));
+    CHECK(object("bones=\"a c\"" + path) == "1:32 error: unknown bone \"c\" (allowed: a, b)");
+    CHECK(object("bones=\"a b a\"" + path) == "1:32 error: \"a\" stands here twice (remove one of them)");
+    CHECK(object("bones=\" \"" + path) == "1:32 error: no bone is named here (write bones=\"NAME NAME\")");
+    CHECK(object("bones=\"a b\" bone=b" + path) ==
+          "1:32 error: both bone= and bones= say what carries the object (leave it to one of them)");
+    CHECK(object("bones=\"a b\" { path \"M 20 70 L 24 46\"; weights { a 1 } }") ==
+          "1:64 error: both bones= and weights say what carries the object (leave it to one of them)");
+}
+
 TEST_CASE("what drawings change turns with the bones where the object says so")
 {
     const auto turns_changes = [](const std::string& properties) {

@@ -50,6 +50,69 @@ TEST_CASE("lines are 1.2 sizes apart unless leading says otherwise")
           "M 54 29 L 54 50 M 54 39 L 54 60");
 }
 
+TEST_CASE("a text lies at, above, below or around the height of its place")
+{
+    // Capitals of size 32 are 21 px high.
+    const auto lines = [](const std::string& text, const std::string& vertical) {
+        return drawn("text \"" + text +
+                     "\" at=\"46,50\" size=32 font=hershey-sans leading=40 vertical=" + vertical);
+    };
+    CHECK(lines("I", "baseline") == "M 50 29 L 50 50");
+    CHECK(lines("I", "top") == "M 50 50 L 50 71");
+    CHECK(lines("I", "middle") == "M 50 39.5 L 50 60.5");
+    CHECK(lines("I", "bottom") == "M 50 29 L 50 50");
+    CHECK(lines("I\\nI", "baseline") == "M 50 29 L 50 50 M 50 69 L 50 90");
+    CHECK(lines("I\\nI", "top") == "M 50 50 L 50 71 M 50 90 L 50 111");
+    CHECK(lines("I\\nI", "middle") == "M 50 19.5 L 50 40.5 M 50 59.5 L 50 80.5");
+    CHECK(lines("I\\nI", "bottom") == "M 50 -11 L 50 10 M 50 29 L 50 50");
+    CHECK(lines("I", "center") ==
+          "1:67 error: unknown value \"center\" (allowed: baseline, top, middle, bottom)");
+}
+
+TEST_CASE("letters stand on a path, each in the direction that it has in the middle of the letter")
+{
+    const auto along = [](const std::string& path, const std::string& rest = "",
+                          const std::string& text = "II") {
+        return drawn("text " + text + " along=\"" + path + "\" size=32 font=hershey-sans " + rest);
+    };
+    CHECK(along("M 10 50 L 90 50") == "M 14 29 L 14 50 M 22 29 L 22 50");
+    CHECK(along("M 10 50 L 90 50", "start=0.5") == "M 54 29 L 54 50 M 62 29 L 62 50");
+    CHECK(along("M 10 50 L 90 50", "start=0.5 align=center") == "M 46 29 L 46 50 M 54 29 L 54 50");
+    CHECK(along("M 10 50 L 90 50", "start=1 align=right spacing=2") == "M 76 29 L 76 50 M 86 29 L 86 50");
+    CHECK(along("M 90 50 L 10 50") == "M 86 71 L 86 50 M 78 71 L 78 50");
+    CHECK(along("M 50 10 L 50 90") == "M 71 14 L 50 14 M 71 22 L 50 22");
+    CHECK(along("M 10 50 L 18 50 L 18 90") == "M 14 29 L 14 50 M 39 54 L 18 54");
+    CHECK(along("M 10 50 L 50 50 L 50 90 L 10 90 Z", "start=0.9") == "M -11 62 L 10 62 M -11 54 L 10 54");
+    CHECK(along("M 10 50 L 50 50 L 50 90 L 10 90 Z", "align=center") == "M -11 54 L 10 54 M 14 29 L 14 50");
+}
+
+TEST_CASE("along a curve, letters are as far apart as their advances")
+{
+    const std::string circle = "text IIII along=\"M 50 10 A 40 40 0 0 1 90 50\" size=32 font=hershey-sans";
+    const std::string strokes = drawn(circle);
+    CHECK(strokes.starts_with("M 56.0625 -10.6875 L 54 10.1875")); // 4 / 40 radians behind noon
+}
+
+TEST_CASE("what is wrong with a text along a path is told at its place")
+{
+    const auto along = [](const std::string& text) {
+        return drawn("text " + text + " size=32 font=hershey-sans");
+    };
+    CHECK(along("II along=\"M 1 1\"").find("this path leads nowhere") != std::string::npos);
+    CHECK(
+        along("II along=\"M 1 1 L 90 9 M 2 2 L 30 9\"") ==
+        "1:15 error: a text follows one stroke; this path has 2 (leave out all M but the first, and what is "
+        "behind Z)");
+    CHECK(along("\"I\\nI\" along=\"M 1 1 L 90 9\"") ==
+          "1:6 error: a text along a path has one line (write a text for each line, along paths beside each "
+          "other)");
+    CHECK(along("II along=\"M 10 50 L 22 50\"")
+              .find("1:6 warning: 4 pixels of this text lie beyond its path") != std::string::npos);
+    CHECK(along("II along=\"M 10 50 L 90 50\" at=\"1,2\"").find("error: text has no property \"at\"") !=
+          std::string::npos);
+    CHECK(along("II along=\"M 10 50 L 90 50\" start=1.5").find("out of range") != std::string::npos);
+}
+
 TEST_CASE("a text may be of any bundled font")
 {
     CHECK(drawn("text I at=\"50,60\" size=32 font=hershey-sans") == "M 54 39 L 54 60");

@@ -104,7 +104,7 @@ TEST_CASE("a match governs drawings")
     CHECK(object("key 0 x=1 match=length; key 1 { empty }").findings ==
           "4:11 warning: this match governs nothing" + hint);
     CHECK(object("key 0 match=area { empty }; key 1 { empty }").findings ==
-          "4:13 error: unknown value \"area\" (allowed: count, length)");
+          "4:13 error: unknown value \"area\" (allowed: count, length, letters)");
 }
 
 TEST_CASE("a key sets something")

@@ -130,20 +130,22 @@ TEST_CASE("a skin names bones of its skeleton")
     CHECK(takes_runs({{5, {{2}}}}));
     CHECK_FALSE(takes_runs({{5, {{3}}}}));
     CHECK_FALSE(takes_runs({{4, {{0}}}, {1, {{255}}}}));
-    CHECK(takes_runs({{5, {{2, 100}, {1, 156}}}}));
-    CHECK_FALSE(takes_runs({{5, {{3, 100}, {1, 156}}}}));
-    CHECK_FALSE(takes_runs({{5, {{1, 100}, {3, 156}}}}));
+    CHECK(takes_runs({{5, {{2, 100}, {1, 65'436}}}}));
+    CHECK_FALSE(takes_runs({{5, {{3, 25'600}, {1, 39'936}}}}));
+    CHECK_FALSE(takes_runs({{5, {{1, 100}, {3, 65'436}}}}));
 }
 
 TEST_CASE("weights are at least 1, the rest that the last bone has too")
 {
-    CHECK(takes_runs({{5, {{0, 1}, {1, 255}}}}));
-    CHECK(takes_runs({{5, {{0, 255}, {1, 1}}}}));
-    CHECK_FALSE(takes_runs({{5, {{0, 0}, {1, 256}}}}));
-    CHECK(takes_runs({{5, {{0, 1}, {1, 1}, {2, 253}, {0, 1}}}}));
-    CHECK_FALSE(takes_runs({{5, {{0, 1}, {1, 1}, {2, 254}, {0, 0}}}}));
-    CHECK_FALSE(takes_runs({{5, {{0, 200}, {1, 200}, {2, -144}}}}));
-    CHECK_FALSE(takes_runs({{4, {{0}}}, {1, {{0, 0}, {1, 256}}}}));
+    CHECK(takes_runs({{5, {{0, 1}, {1, 65'535}}}}));
+    CHECK(takes_runs({{5, {{0, 65'535}, {1, 1}}}}));
+    CHECK_FALSE(takes_runs({{5, {{0, 0}, {1, 65'536}}}}));
+    CHECK(takes_runs({{5, {{0, 1}, {1, 1}, {2, 65'533}, {0, 1}}}}));
+    CHECK_FALSE(takes_runs({{5, {{0, 1}, {1, 1}, {2, 65'534}, {0, 0}}}}));
+    CHECK_FALSE(takes_runs({{5, {{0, 51'200}, {1, 51'200}, {2, -36'864}}}}));
+    CHECK_FALSE(takes_runs({{5, {{0, 51'201}, {1, 51'200}, {2, -36'865}}}}));
+    CHECK_FALSE(takes_runs({{5, {{0, 512}, {1, 0}, {2, 65'024}}}}));
+    CHECK_FALSE(takes_runs({{4, {{0}}}, {1, {{0, 0}, {1, 65'536}}}}));
 }
 
 TEST_CASE("the drawing at rest is built like the one that it stands for")

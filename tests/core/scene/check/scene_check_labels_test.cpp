@@ -143,6 +143,72 @@ TEST_CASE("pairs rise and are of glyphs that there are")
     CHECK_FALSE(takes(kerned));
 }
 
+namespace {
+
+/// Of 14 glyphs: those of a number, and one that stands around it.
+RawLabel number_label()
+{
+    RawLabel label;
+    label.drawings = std::vector<std::int32_t>(14, 0);
+    label.advances = std::vector<std::int32_t>(14, 4096);
+    label.format = {.decimals = 1, .before = {13}, .behind = {13, 3}};
+    return label;
+}
+
+bool takes_number(const RawLabel& label) { return is_accepted(scene_with(label.item(), input_bytes("n"))); }
+
+bool takes_format(const RawFormat& format)
+{
+    RawLabel label = number_label();
+    label.format = format;
+    return takes_number(label);
+}
+
+}
+
+TEST_CASE("a label shows a number, with a format")
+{
+    CHECK(takes_number(number_label()));
+    CHECK_FALSE(is_accepted(scene_with(number_label().item())));
+    CHECK_FALSE(is_accepted(scene_with(number_label().item(), text_input_bytes("t", 8, 14, U'a'))));
+    RawLabel other = number_label();
+    other.format.reset();
+    CHECK_FALSE(takes_number(other));
+    other = number_label();
+    other.align = 8;
+    CHECK_FALSE(takes_number(other));
+    other = number_label();
+    other.drawings.resize(12);
+    other.advances.resize(12);
+    other.format = RawFormat{};
+    CHECK_FALSE(takes_number(other));
+    Bytes shorter = number_label().bytes();
+    shorter.pop_back();
+    CHECK_FALSE(is_accepted(scene_with(joined({bytes({0x0B, 1, 0, 1}), block(shorter)}), input_bytes("n"))));
+}
+
+TEST_CASE("a format has digits, and glyphs that there are")
+{
+    CHECK(takes_format({.decimals = 3, .digits = 10, .places = 10}));
+    CHECK_FALSE(takes_format({.decimals = 4}));
+    CHECK_FALSE(takes_format({.digits = 0}));
+    CHECK_FALSE(takes_format({.digits = 11}));
+    CHECK_FALSE(takes_format({.places = 11}));
+    CHECK_FALSE(takes_format({.before = {14}}));
+    CHECK_FALSE(takes_format({.behind = {0, 255}}));
+    CHECK(takes_format({.before = std::vector<int>(40, 13), .behind = std::vector<int>(5, 13)}));
+    CHECK_FALSE(takes_format({.before = std::vector<int>(40, 13), .behind = std::vector<int>(6, 13)}));
+}
+
+TEST_CASE("the longest number finds room")
+{
+    RawLabel wide = number_label(); // x0.0x3
+    wide.advances[5] = kfb::max_text_width / 6;
+    CHECK(takes_number(wide));
+    ++wide.advances[5];
+    CHECK_FALSE(takes_number(wide));
+}
+
 TEST_CASE("keys do not go by a text")
 {
     RawScene scene =
