@@ -267,33 +267,33 @@ void StrokeTrimmer::cut(const Segment& segment)
 {
     if (has_no_length(segment))
         return;
-    const auto pieces = static_cast<std::uint32_t>(pieces_of(segment));
-    const auto share_of_whole = [pieces](std::uint32_t chords, Fraction rest) {
-        return Fraction{std::min((chords * Fraction::one + rest.raw) / pieces, Fraction::one)};
-    };
-    Fraction begin;
-    std::uint32_t chords = 0;
-    each_chord(segment, [&](std::uint32_t chord) {
-        while (has_part_) {
-            const std::uint32_t left = (is_drawing_ ? part_.end : part_.begin) - position_;
-            if (is_drawing_ ? left > chord : left >= chord)
-                break;
-            const Fraction at = share_of_whole(chords, left == 0 ? Fraction{} : Fraction::ratio(left, chord));
-            const std::uint32_t tip = segment.kind == Segment::Kind::cubic ? share_of_tip(chord, pieces) : 0;
-            if (is_drawing_) {
-                go_on(segment, begin, at, tip);
-                end_piece();
-            } else {
-                begin_piece(point_at(segment, at));
-                begin_tip_ = tip;
-            }
-            begin = at;
-        }
-        position_ += chord;
-        ++chords;
-    });
+    ChordPlace place{.chords = static_cast<std::uint32_t>(pieces_of(segment))};
+    each_chord(segment, [&](std::uint32_t chord) { cut_chord(segment, chord, place); });
     if (is_drawing_)
-        go_on(segment, begin, {Fraction::one}, 0);
+        go_on(segment, place.begin, {Fraction::one}, 0);
+}
+
+void StrokeTrimmer::cut_chord(const Segment& segment, std::uint32_t chord, ChordPlace& place)
+{
+    while (has_part_) {
+        const std::uint32_t left = (is_drawing_ ? part_.end : part_.begin) - position_;
+        if (is_drawing_ ? left > chord : left >= chord)
+            break;
+        const Fraction rest = left == 0 ? Fraction{} : Fraction::ratio(left, chord);
+        const Fraction at{std::min((place.number * Fraction::one + rest.raw) / place.chords, Fraction::one)};
+        const std::uint32_t tip =
+            segment.kind == Segment::Kind::cubic ? share_of_tip(chord, place.chords) : 0;
+        if (is_drawing_) {
+            go_on(segment, place.begin, at, tip);
+            end_piece();
+        } else {
+            begin_piece(point_at(segment, at));
+            begin_tip_ = tip;
+        }
+        place.begin = at;
+    }
+    position_ += chord;
+    ++place.number;
 }
 
 void StrokeTrimmer::begin_piece(Point at)

@@ -127,6 +127,13 @@ private:
     };
     static const Code code;
 
+    /// Of the chords of a segment, the next one, and where on the segment the current piece begins.
+    struct ChordPlace {
+        std::uint32_t chords = 0;
+        std::uint32_t number = 0;
+        Fraction begin = {};
+    };
+
     enum class Pass : std::uint8_t { measure_all, measure, cut };
 
     /// From one length along a stroke to another.
@@ -158,6 +165,8 @@ private:
     int pieces_of(const Segment& segment) const;
     [[gnu::cold]] Segment placed(const Segment& segment) const;
     [[gnu::cold]] void cut(const Segment& segment);
+    [[gnu::cold, gnu::noinline]] void cut_chord(const Segment& segment, std::uint32_t chord,
+                                                ChordPlace& place);
     [[gnu::cold]] void begin_piece(Point at);
     [[gnu::cold]] void go_on(const Segment& segment, Fraction begin, Fraction end, std::uint32_t end_tip);
     [[gnu::cold]] void add(const Segment& segment, Fraction begin, Fraction end);

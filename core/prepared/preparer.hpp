@@ -25,7 +25,7 @@ public:
 
     void run();
     /// Part of it, for the feature.
-    void add_skeletons();
+    [[gnu::cold]] void add_skeletons();
     /// Valid afterwards.
     const SceneRecords& records() const { return records_; }
     /// The number of keys of all timelines.
@@ -40,7 +40,7 @@ private:
         std::uint32_t node = 0;
     };
 
-    void add_bones(const SkeletonView& skeleton, std::uint32_t first);
+    [[gnu::cold]] void add_bones(const SkeletonView& skeleton, std::uint32_t first);
     void add_symbols();
     std::uint32_t add_root(ItemCursor items);
     std::uint32_t add_item(const ItemView& item, std::uint32_t around);

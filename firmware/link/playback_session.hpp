@@ -148,7 +148,7 @@ private:
     PlaybackItem built_in_item() const;
     void change(const PlaybackItem& item);
     void set_current(const PlaybackItem& item);
-    void set_up_controls();
+    [[gnu::cold, gnu::noinline]] void set_up_controls();
     void steered(const Playhead& playhead);
     void obey_arming();
     Time place_of(std::uint32_t number, const InputView& input) const;

@@ -21,7 +21,7 @@ constinit std::optional<link::PlaybackSession> playback_session;
 constinit std::optional<SlotStore<const ChipFlash>> slots;
 constinit std::optional<link::LinkService<const UsbReports, const ChipFlash>> link_service;
 
-void begin_with(link::BoardFacts facts)
+[[gnu::cold, gnu::noinline]] void begin_with(link::BoardFacts facts)
 {
     facts.serial = {usb_reports.serial_number()};
     facts.board = {"pico"};
