@@ -18,7 +18,7 @@ inline constexpr Size glass{.width = 128, .height = 64};
 
 /// Stellaris LM3S6965 evaluation board as QEMU emulates it, with an SSD0323 display. UART0 is its console.
 ///
-/// The scene is in flash from 0x20000 on, or is linked in (KFAST_SCENE).
+/// The scene is in flash from 0x24000 on, or is linked in (KFAST_SCENE).
 class Board : public ConsoleBoard<const Pl011, Clock, Display, glass> {
 public:
     Board();

@@ -24,347 +24,347 @@ static_assert(kinds == op_names, "the kinds of work have changed: scripts/calibr
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 86008,
-        .bare_code = 57620,
-        .feature_code = {2520, 5324, 4604, 5952, 2232, 4184, 884, 608, 1556, 1492, 5036, 516},
+        .code = 90520,
+        .bare_code = 60448,
+        .feature_code = {2520, 5328, 4680, 5948, 2216, 4164, 884, 616, 2324, 1500, 5920, 516},
         .fixed_ram = 4,
-        .stack = 5808,
+        .stack = 6656,
         .cycles = 1.68,
-        .frame = 888,
-        .area = 564,
+        .frame = 905,
+        .area = 525,
         .work =
             std::to_array<double>({
-                2058.9, // picture
-                117.0, // timeline
-                1130.8, // key
-                605.6, // item
-                854.9, // track
-                1403.0, // placement
-                632.2, // law
-                2668.1, // bezier_law
-                2137.5, // bone
+                2048.2, // picture
+                125.1, // timeline
+                1115.5, // key
+                613.0, // item
+                800.0, // track
+                1845.0, // placement
+                620.2, // law
+                2711.9, // bezier_law
+                2266.7, // bone
                 0.0, // object
-                1371.7, // stroke
-                804.6, // segment
-                0.0, // line
-                226.9, // curve
-                957.3, // split
-                145.0, // point
+                1481.4, // stroke
+                752.7, // segment
+                2.0, // line
+                272.9, // curve
+                1069.6, // split
+                131.3, // point
                 0.0, // wide_point
-                956.4, // projected_point
-                196.3, // carried_point
-                622.3, // bent_point
-                62.1, // piece
-                445.9, // pen_piece
-                249.7, // bend
+                945.0, // projected_point
+                197.5, // carried_point
+                613.2, // bent_point
+                90.7, // piece
+                510.2, // pen_piece
+                137.9, // bend
                 0.0, // slight_bend
-                198.7, // placed_corner
-                267.1, // corner
-                611.4, // chain
-                7.4, // crossing
-                53.0, // kept_chain
-                318.3, // step
-                84.9, // passed_band
+                179.9, // placed_corner
+                229.3, // corner
+                691.1, // chain
+                7.1, // crossing
+                53.2, // kept_chain
+                354.5, // step
+                81.5, // passed_band
                 0.0, // passed_border
-                545.8, // band
-                346.0, // band_chain
-                374.6, // straight_chain
-                56.9, // border
-                254.1, // region
-                137.6, // edge_row
-                10.9, // flat_pixel
-                44.3, // chain_visit
-                540.0, // layer
+                507.2, // band
+                364.2, // band_chain
+                409.5, // straight_chain
+                63.2, // border
+                303.9, // region
+                131.8, // edge_row
+                9.6, // flat_pixel
+                39.1, // chain_visit
+                484.7, // layer
                 0.0, // layer_row
-                135.1, // layer_edge
-                266.6, // bent_edge
-                282.1, // sum_row
-                181.0, // row_chain
-                136.9, // sum_part
-                16.4, // sum_pixel
+                132.9, // layer_edge
+                294.3, // bent_edge
+                349.1, // sum_row
+                191.4, // row_chain
+                161.1, // sum_part
+                13.4, // sum_pixel
                 0.0, // edge_group
-                150.1, // line_crossing
-                76.4, // span
-                20.0, // fill
-                0.0, // filled_pixel
-                32.8, // blended_pixel
-                49.1, // faded_pixel
+                149.0, // line_crossing
+                61.0, // span
+                4.3, // fill
+                0.3, // filled_pixel
+                32.7, // blended_pixel
+                54.2, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 83340,
-        .bare_code = 55536,
-        .feature_code = {2652, 5080, 4492, 5808, 2164, 3904, 848, 544, 1572, 1516, 5096, 480},
+        .code = 87384,
+        .bare_code = 58080,
+        .feature_code = {2648, 5088, 4608, 5812, 2160, 3896, 844, 544, 2232, 1520, 5792, 480},
         .fixed_ram = 4,
-        .stack = 5584,
+        .stack = 6320,
         .cycles = 1.80,
-        .frame = 427,
-        .area = 442,
+        .frame = 441,
+        .area = 406,
         .work =
             std::to_array<double>({
-                1587.2, // picture
-                89.3, // timeline
-                1022.4, // key
-                513.2, // item
-                534.5, // track
-                1099.5, // placement
-                275.8, // law
-                1675.4, // bezier_law
-                1598.4, // bone
+                1575.7, // picture
+                98.6, // timeline
+                993.7, // key
+                512.7, // item
+                469.7, // track
+                1492.1, // placement
+                267.5, // law
+                1658.9, // bezier_law
+                1734.2, // bone
                 0.0, // object
-                851.7, // stroke
-                531.3, // segment
+                1047.6, // stroke
+                506.5, // segment
                 0.0, // line
-                239.5, // curve
-                830.5, // split
-                104.1, // point
+                266.8, // curve
+                884.9, // split
+                93.4, // point
                 0.0, // wide_point
-                419.3, // projected_point
-                159.7, // carried_point
-                541.2, // bent_point
-                46.8, // piece
-                275.3, // pen_piece
-                87.2, // bend
+                410.8, // projected_point
+                166.3, // carried_point
+                528.3, // bent_point
+                74.8, // piece
+                334.8, // pen_piece
+                17.0, // bend
                 0.0, // slight_bend
-                131.0, // placed_corner
-                202.6, // corner
-                466.9, // chain
-                7.6, // crossing
-                40.6, // kept_chain
-                237.7, // step
-                59.1, // passed_band
+                118.1, // placed_corner
+                166.6, // corner
+                528.0, // chain
+                7.2, // crossing
+                40.9, // kept_chain
+                264.9, // step
+                56.6, // passed_band
                 0.0, // passed_border
-                431.7, // band
-                297.6, // band_chain
-                320.0, // straight_chain
-                45.0, // border
-                216.8, // region
-                99.4, // edge_row
-                3.7, // flat_pixel
-                36.7, // chain_visit
-                416.1, // layer
+                400.8, // band
+                312.4, // band_chain
+                350.1, // straight_chain
+                50.4, // border
+                258.9, // region
+                95.4, // edge_row
+                2.3, // flat_pixel
+                32.5, // chain_visit
+                372.0, // layer
                 0.0, // layer_row
-                107.9, // layer_edge
-                181.2, // bent_edge
-                198.6, // sum_row
-                150.1, // row_chain
-                106.0, // sum_part
-                12.9, // sum_pixel
+                106.5, // layer_edge
+                204.9, // bent_edge
+                258.1, // sum_row
+                158.6, // row_chain
+                127.1, // sum_part
+                10.2, // sum_pixel
                 0.0, // edge_group
-                118.2, // line_crossing
-                62.5, // span
-                16.7, // fill
-                0.6, // filled_pixel
-                23.0, // blended_pixel
-                33.7, // faded_pixel
+                117.1, // line_crossing
+                49.0, // span
+                2.4, // fill
+                1.0, // filled_pixel
+                22.8, // blended_pixel
+                37.8, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 83356,
-        .bare_code = 55568,
-        .feature_code = {2672, 5072, 4480, 5796, 2164, 3888, 856, 552, 1580, 1516, 5124, 480},
+        .code = 87396,
+        .bare_code = 58100,
+        .feature_code = {2672, 5080, 4612, 5804, 2168, 3896, 856, 552, 2240, 1528, 5832, 480},
         .fixed_ram = 4,
-        .stack = 5576,
+        .stack = 6320,
         .cycles = 1.80,
-        .frame = 429,
-        .area = 441,
+        .frame = 442,
+        .area = 404,
         .work =
             std::to_array<double>({
-                1589.6, // picture
-                89.2, // timeline
-                1021.8, // key
-                511.7, // item
-                534.8, // track
-                1113.0, // placement
-                275.7, // law
-                1687.7, // bezier_law
-                1600.3, // bone
+                1578.4, // picture
+                98.5, // timeline
+                994.1, // key
+                511.1, // item
+                471.3, // track
+                1502.0, // placement
+                267.7, // law
+                1672.5, // bezier_law
+                1734.0, // bone
                 0.0, // object
-                846.9, // stroke
-                530.3, // segment
+                1037.2, // stroke
+                505.3, // segment
                 0.0, // line
-                240.3, // curve
-                826.8, // split
-                103.1, // point
+                267.1, // curve
+                881.6, // split
+                92.6, // point
                 0.0, // wide_point
-                420.0, // projected_point
-                159.5, // carried_point
-                541.0, // bent_point
-                47.6, // piece
-                276.5, // pen_piece
-                79.3, // bend
+                411.6, // projected_point
+                166.5, // carried_point
+                528.5, // bent_point
+                74.6, // piece
+                334.4, // pen_piece
+                6.9, // bend
                 0.0, // slight_bend
-                132.8, // placed_corner
-                204.2, // corner
-                471.8, // chain
-                7.6, // crossing
-                40.6, // kept_chain
-                238.0, // step
-                60.2, // passed_band
+                119.9, // placed_corner
+                169.4, // corner
+                532.8, // chain
+                7.2, // crossing
+                40.8, // kept_chain
+                265.9, // step
+                57.6, // passed_band
                 0.0, // passed_border
-                432.5, // band
-                297.1, // band_chain
-                318.3, // straight_chain
-                45.1, // border
-                216.3, // region
-                99.4, // edge_row
-                4.4, // flat_pixel
-                36.5, // chain_visit
-                418.9, // layer
+                401.5, // band
+                311.8, // band_chain
+                348.7, // straight_chain
+                50.6, // border
+                258.4, // region
+                95.4, // edge_row
+                3.0, // flat_pixel
+                32.4, // chain_visit
+                374.5, // layer
                 0.0, // layer_row
-                107.1, // layer_edge
-                193.0, // bent_edge
-                201.1, // sum_row
-                149.2, // row_chain
-                106.0, // sum_part
-                12.2, // sum_pixel
+                105.8, // layer_edge
+                217.0, // bent_edge
+                260.6, // sum_row
+                157.7, // row_chain
+                127.2, // sum_part
+                9.5, // sum_pixel
                 0.0, // edge_group
-                118.0, // line_crossing
-                63.3, // span
-                17.0, // fill
-                0.6, // filled_pixel
-                23.1, // blended_pixel
-                32.7, // faded_pixel
+                116.9, // line_crossing
+                49.8, // span
+                2.8, // fill
+                1.0, // filled_pixel
+                22.8, // blended_pixel
+                36.8, // faded_pixel
             }),
     },
     // cortex-m7
     {
-        .code = 83372,
-        .bare_code = 55600,
-        .feature_code = {2672, 5064, 4472, 5788, 2164, 3892, 848, 552, 1580, 1516, 5116, 480},
+        .code = 87412,
+        .bare_code = 58140,
+        .feature_code = {2672, 5072, 4596, 5796, 2160, 3884, 848, 544, 2240, 1520, 5816, 480},
         .fixed_ram = 4,
-        .stack = 5576,
+        .stack = 6320,
         .cycles = 1.67,
-        .frame = 424,
-        .area = 455,
+        .frame = 438,
+        .area = 417,
         .work =
             std::to_array<double>({
-                1585.1, // picture
-                89.3, // timeline
-                1022.3, // key
-                514.9, // item
-                533.5, // track
-                1101.9, // placement
-                275.5, // law
-                1675.6, // bezier_law
-                1598.1, // bone
+                1573.8, // picture
+                98.6, // timeline
+                993.9, // key
+                514.2, // item
+                469.1, // track
+                1493.4, // placement
+                267.3, // law
+                1659.7, // bezier_law
+                1733.9, // bone
                 0.0, // object
-                852.0, // stroke
-                530.6, // segment
+                1048.1, // stroke
+                505.8, // segment
                 0.0, // line
-                239.5, // curve
-                826.5, // split
-                104.1, // point
+                266.8, // curve
+                880.9, // split
+                93.5, // point
                 0.0, // wide_point
-                418.3, // projected_point
-                159.1, // carried_point
-                541.0, // bent_point
-                46.8, // piece
-                275.4, // pen_piece
-                87.9, // bend
+                409.8, // projected_point
+                165.9, // carried_point
+                528.1, // bent_point
+                74.7, // piece
+                334.7, // pen_piece
+                17.6, // bend
                 0.0, // slight_bend
-                131.1, // placed_corner
-                202.6, // corner
-                466.8, // chain
-                7.6, // crossing
-                40.6, // kept_chain
-                239.0, // step
-                60.0, // passed_band
+                118.1, // placed_corner
+                166.7, // corner
+                527.9, // chain
+                7.2, // crossing
+                40.9, // kept_chain
+                266.6, // step
+                57.4, // passed_band
                 0.0, // passed_border
-                431.9, // band
-                298.5, // band_chain
-                319.7, // straight_chain
-                45.4, // border
-                208.8, // region
-                102.8, // edge_row
-                3.1, // flat_pixel
-                36.8, // chain_visit
-                407.9, // layer
+                401.4, // band
+                313.0, // band_chain
+                349.8, // straight_chain
+                50.7, // border
+                250.9, // region
+                98.8, // edge_row
+                1.7, // flat_pixel
+                32.7, // chain_visit
+                364.1, // layer
                 0.0, // layer_row
-                109.0, // layer_edge
-                187.0, // bent_edge
-                202.6, // sum_row
-                150.3, // row_chain
-                108.9, // sum_part
-                14.7, // sum_pixel
+                107.5, // layer_edge
+                211.8, // bent_edge
+                262.3, // sum_row
+                158.8, // row_chain
+                129.9, // sum_part
+                12.0, // sum_pixel
                 0.0, // edge_group
-                116.5, // line_crossing
-                57.2, // span
-                17.5, // fill
-                0.8, // filled_pixel
-                24.0, // blended_pixel
-                33.8, // faded_pixel
+                115.4, // line_crossing
+                43.8, // span
+                3.2, // fill
+                1.2, // filled_pixel
+                23.7, // blended_pixel
+                37.9, // faded_pixel
             }),
     },
     // cortex-m33
     {
-        .code = 83332,
-        .bare_code = 55556,
-        .feature_code = {2664, 5072, 4488, 5804, 2168, 3900, 856, 552, 1584, 1528, 5108, 488},
+        .code = 87412,
+        .bare_code = 58144,
+        .feature_code = {2664, 5080, 4612, 5812, 2172, 3900, 856, 552, 2244, 1524, 5808, 488},
         .fixed_ram = 4,
-        .stack = 5584,
-        .cycles = 1.79,
-        .frame = 427,
-        .area = 442,
+        .stack = 6320,
+        .cycles = 1.80,
+        .frame = 441,
+        .area = 406,
         .work =
             std::to_array<double>({
-                1586.8, // picture
-                89.3, // timeline
-                1022.3, // key
-                513.4, // item
-                534.5, // track
-                1099.3, // placement
-                275.8, // law
-                1675.5, // bezier_law
-                1597.1, // bone
+                1575.5, // picture
+                98.6, // timeline
+                993.9, // key
+                512.8, // item
+                470.0, // track
+                1491.4, // placement
+                267.5, // law
+                1658.7, // bezier_law
+                1732.4, // bone
                 0.0, // object
-                849.9, // stroke
-                530.8, // segment
+                1044.5, // stroke
+                505.8, // segment
                 0.0, // line
-                239.6, // curve
-                826.4, // split
-                104.1, // point
+                266.7, // curve
+                881.0, // split
+                93.5, // point
                 0.0, // wide_point
-                419.3, // projected_point
-                159.3, // carried_point
-                540.6, // bent_point
-                46.8, // piece
-                275.3, // pen_piece
-                87.2, // bend
+                410.8, // projected_point
+                166.1, // carried_point
+                527.8, // bent_point
+                74.4, // piece
+                334.1, // pen_piece
+                16.3, // bend
                 0.0, // slight_bend
-                131.0, // placed_corner
-                202.6, // corner
-                466.9, // chain
-                7.6, // crossing
-                40.6, // kept_chain
-                238.1, // step
-                60.2, // passed_band
+                118.2, // placed_corner
+                167.1, // corner
+                527.9, // chain
+                7.2, // crossing
+                40.9, // kept_chain
+                265.7, // step
+                57.6, // passed_band
                 0.0, // passed_border
-                431.9, // band
-                297.6, // band_chain
-                320.0, // straight_chain
-                45.1, // border
-                216.6, // region
-                99.4, // edge_row
-                3.7, // flat_pixel
-                36.7, // chain_visit
-                416.5, // layer
+                400.9, // band
+                312.4, // band_chain
+                350.1, // straight_chain
+                50.5, // border
+                258.8, // region
+                95.4, // edge_row
+                2.3, // flat_pixel
+                32.6, // chain_visit
+                372.3, // layer
                 0.0, // layer_row
-                107.9, // layer_edge
-                181.1, // bent_edge
-                198.4, // sum_row
-                150.0, // row_chain
-                106.0, // sum_part
-                12.9, // sum_pixel
+                106.5, // layer_edge
+                204.8, // bent_edge
+                258.0, // sum_row
+                158.5, // row_chain
+                127.1, // sum_part
+                10.2, // sum_pixel
                 0.0, // edge_group
-                118.2, // line_crossing
-                62.4, // span
-                16.7, // fill
-                0.6, // filled_pixel
-                23.0, // blended_pixel
-                33.7, // faded_pixel
+                117.0, // line_crossing
+                49.0, // span
+                2.4, // fill
+                1.0, // filled_pixel
+                22.8, // blended_pixel
+                37.8, // faded_pixel
             }),
     },
 }};

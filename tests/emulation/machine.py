@@ -47,7 +47,7 @@ def lm3s6965evb(image, cpu):
         image=image, name="lm3s6965evb", cpu=cpu,
         panel=f"ssd0323 {width}x{height} grey4", options=("--panel", "ssd0323"), size=(width, height),
         whole_picture=width * height // 2 + height // rows * window,
-        free_ram=0x20000000, scene=0x20000, shown=in_blocks_of_four, pixel=4, pace=5)
+        free_ram=0x20000000, scene=0x24000, shown=in_blocks_of_four, pixel=4, pace=5)
 
 
 def vexpress_a9(image, size):

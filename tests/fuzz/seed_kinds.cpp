@@ -155,13 +155,22 @@ private:
             at_object(item.object);
     }
 
+    /// The mode of a trim has no keys.
+    void at_cut(const TrackView& track)
+    {
+        const int number = static_cast<int>(track.property) - static_cast<int>(Property::trim_from);
+        if (track.is_fixed)
+            see("Tracks: fixed cut", number);
+        else
+            see("Tracks: keys of cut", track.property > Property::trim_mode ? number - 1 : number);
+    }
+
     void at_tracks(const ItemView& item)
     {
         for (TrackCursor tracks = item.tracks; !tracks.at_end();) {
             const TrackView track = tracks.next();
             if (cuts_strokes(track.property))
-                see(track.is_fixed ? "Tracks: fixed cut" : "Tracks: keys of cut",
-                    static_cast<int>(track.property) - static_cast<int>(Property::trim_from));
+                at_cut(track);
             else
                 see(track.is_fixed ? "Tracks: fixed" : "Tracks: keys of", track.property);
             if (track.property == Property::along) {

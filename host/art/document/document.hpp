@@ -42,6 +42,8 @@ struct Fill {
 
 /// How a line is broken, as in SVG and Lottie.
 struct Dashes {
+    static constexpr std::size_t max_lengths = 6; ///< that a scene has (core/math/dashes.hpp)
+
     std::vector<Channel> lengths; ///< of dashes and gaps alternately, in pixels; none: no dashes
     Channel offset = {0};         ///< how far into the pattern each outline begins, in pixels
     friend bool operator==(const Dashes&, const Dashes&) = default;

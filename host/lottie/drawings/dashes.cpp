@@ -1,6 +1,5 @@
 #include "host/lottie/drawings/dashes.hpp"
 
-#include "core/math/dashes.hpp"
 #include "host/art/geometry/curves.hpp"
 #include "host/art/geometry/drawing.hpp"
 
@@ -165,7 +164,7 @@ bool are_of_scenes(const Dashes& dashes, const MovingDrawing& drawing)
     const std::size_t count = dashes.lengths.size();
     if (count == 0)
         return true;
-    return (count % 2 == 0 ? count : 2 * count) <= kfast::Dashes::max_lengths &&
+    return (count % 2 == 0 ? count : 2 * count) <= art::Dashes::max_lengths &&
            max_at_moments(with_moments_of(drawing, dashes), dashes) <= most;
 }
 

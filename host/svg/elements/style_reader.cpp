@@ -1,6 +1,5 @@
 #include "host/svg/elements/style_reader.hpp"
 
-#include "core/math/dashes.hpp"
 #include "host/art/geometry/curves.hpp"
 #include "host/art/geometry/drawing.hpp"
 #include "host/svg/markup/length.hpp"
@@ -188,7 +187,7 @@ bool are_of_scenes(const Dashes& dashes, const art::Drawing& drawing)
     const double period = std::accumulate(dashes.lengths.begin(), dashes.lengths.end(), 0.0);
     const double strokes = static_cast<double>(drawing.outlines.size());
     const double count = static_cast<double>(dashes.lengths.size()) / 2;
-    return dashes.lengths.size() <= kfast::Dashes::max_lengths &&
+    return dashes.lengths.size() <= art::Dashes::max_lengths &&
            (length_of(drawing) / period + 2 * strokes) * count < most;
 }
 

@@ -24,9 +24,11 @@ SHARES = (0, 1 / 6, 1 / 3, 1 / 2, 3 / 4, 1)
 # Limits other than those of compare_pictures, each with its reason.
 NOTCHES = "rlottie leaves a notch on the inner side of a corner that is next to the end of a line"
 HALF_LEVELS = "rlottie cuts 127.5 to 127, kfast rounds it to 128: another level of RGB565"
+CHORDS = "rlottie's caps at a cut stand across the chord that was cut, kfast's across the curve"
 LEANS = "rlottie's polygons lean a little, and their sides differ"
 LIMITS = {
     "polystars": ({"worst": 28, "near": 0.985}, LEANS),
+    "trim": ({"worst": 20}, CHORDS),
     "trim_several": ({"worst": 40}, NOTCHES),
     "moving_dashes": ({"worst": 40}, NOTCHES),
     "fill_colours": ({"mean": 3}, HALF_LEVELS),
