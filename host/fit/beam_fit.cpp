@@ -19,7 +19,7 @@ constexpr double bits_of_point = 2 * 17; ///< two words of an MCP4922, and a pau
 constexpr int readable_speed_level = 4;  ///< beyond twice the speed, lines grow too dark or too coarse
 
 /// The size of the program that plays for a beam, with the core (tests/bench/image/beam).
-constexpr std::size_t beam_code = 65704;
+constexpr std::size_t beam_code = 78272;
 
 /// Instructions of the Cortex-M0 besides those that evaluating a scene takes on panels: fitted to the results
 /// of scripts/bench_beam for 12 examples, within 15 %. To plot a picture, as often as one is shown; and to

@@ -9,7 +9,7 @@ from images import symbol
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "emulation"))
 from qemu import Qemu, loaded  # pylint: disable=wrong-import-position
 
-SCENE_ADDRESS = 0x20000
+SCENE_ADDRESS = 0x24000
 RAM_ADDRESS = 0x20000000
 RAM_BYTES = 64 * 1024
 PAINT = b"\x01\x0c\x11\xc0"
