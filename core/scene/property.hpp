@@ -82,7 +82,8 @@ inline constexpr std::int32_t path_whole = 65536; ///< the end of a path, or of 
 inline constexpr std::int32_t max_trim_offset = 16 * path_whole;
 inline constexpr std::int32_t max_trim_mode = 2;
 inline constexpr std::int32_t dash_pixel = 64; ///< of dash lengths and offsets
-inline constexpr std::int32_t max_dash_length = 16384 * dash_pixel;
+inline constexpr std::int32_t max_dash_pixels = 16384;
+inline constexpr std::int32_t max_dash_length = max_dash_pixels * dash_pixel;
 inline constexpr std::int32_t most_dashes = 1024;
 inline constexpr std::int32_t usual_max_dashes = 64;
 

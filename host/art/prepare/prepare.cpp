@@ -184,7 +184,8 @@ std::vector<Span> cropped(const std::vector<Span>& shown, const Document& docume
         const bool begins_behind =
             span.from > document.frames || (span.from == document.frames && document.loop == Loop::repeat);
         if (span.to > 0 && !begins_behind)
-            kept.push_back({span.from > 0 ? span.from : -endless, ends_behind ? endless : span.to});
+            kept.push_back(
+                {.from = span.from > 0 ? span.from : -endless, .to = ends_behind ? endless : span.to});
     }
     return kept;
 }

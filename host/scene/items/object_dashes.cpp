@@ -78,7 +78,8 @@ Pattern shortest_pattern(const std::vector<Track>& tracks)
             continue;
         periods.resize(std::max(periods.size(), track.keys.size()));
         const auto index = static_cast<int>(track.property) - static_cast<int>(Property::dash_1);
-        shortest.dashes = std::max(shortest.dashes, index / 2 + 1.0); // lengths of 0 may have no track
+        shortest.dashes =
+            std::max(shortest.dashes, static_cast<double>(index / 2 + 1)); // lengths of 0 may have no track
         for (std::size_t i = 0; i < periods.size(); ++i)
             periods[i] += track.keys[std::min(i, track.keys.size() - 1)].value / double{dash_pixel};
     }

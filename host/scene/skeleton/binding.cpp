@@ -44,8 +44,9 @@ Binding bound(std::vector<WeightedBone> bones, int unit)
     Binding binding;
     std::vector<double> losses;
     int rest = kfb::skin::whole_weight;
+    const int units = kfb::skin::whole_weight / unit;
     for (const WeightedBone& bone : bones) {
-        const double weight = bone.weight / sum * (kfb::skin::whole_weight / unit);
+        const double weight = bone.weight / sum * units;
         binding.push_back({bone.bone, static_cast<int>(weight) * unit});
         losses.push_back(weight - std::floor(weight));
         rest -= binding.back().weight;

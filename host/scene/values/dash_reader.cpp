@@ -14,7 +14,7 @@ namespace kfast::scene {
 namespace {
 
 constexpr std::size_t max_lengths = Dashes::max_lengths;
-constexpr Range lengths{0, max_dash_length / dash_pixel};
+constexpr Range lengths{0, max_dash_pixels};
 
 Property length_at(std::size_t index)
 {

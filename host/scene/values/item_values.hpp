@@ -71,14 +71,14 @@ constexpr ValueKind kind_of(Property property)
     case Property::width:
         return ValueKind::pixels({0, widest_stroke});
     case Property::dash_offset:
-        return ValueKind::pixels({-max_dash_length / dash_pixel, max_dash_length / dash_pixel});
+        return ValueKind::pixels({-max_dash_pixels, max_dash_pixels});
     case Property::dash_1:
     case Property::gap_1:
     case Property::dash_2:
     case Property::gap_2:
     case Property::dash_3:
     case Property::gap_3:
-        return ValueKind::pixels({0, max_dash_length / dash_pixel});
+        return ValueKind::pixels({0, max_dash_pixels});
     case Property::max_dashes:
         return ValueKind::whole({1, most_dashes});
     }

@@ -104,7 +104,7 @@ private:
             check(shape.stroke->colour);
             check(shape.stroke->opacity);
             check(shape.stroke->width);
-            for (const Channel& length : shape.stroke->dashes.lengths)
+            for (const art::Channel& length : shape.stroke->dashes.lengths)
                 check(length);
             check(shape.stroke->dashes.offset);
             check(shape.stroke->miter_limit);

@@ -29,9 +29,8 @@ inline constexpr Grid offsets{path_whole, 1, -16, 16};
 inline constexpr Grid opacities{255, 1, 0, 1};
 inline constexpr Grid widths{16, 1, 0, 4095};
 inline constexpr Grid still_widths{16, 1, 1.0 / 16, 4095};
-inline constexpr Grid dash_lengths{dash_pixel, 1, 0, max_dash_length / dash_pixel};
-inline constexpr Grid dash_offsets{dash_pixel, 1, -max_dash_length / dash_pixel,
-                                   max_dash_length / dash_pixel};
+inline constexpr Grid dash_lengths{dash_pixel, 1, 0, max_dash_pixels};
+inline constexpr Grid dash_offsets{dash_pixel, 1, -max_dash_pixels, max_dash_pixels};
 inline constexpr Grid miters{8, 1, 1, 31};
 inline constexpr Grid controls{VelocityLaw::control_one, 1, -2, 3};
 inline constexpr Grid frame_rates{1000, 1, 1, 1000};

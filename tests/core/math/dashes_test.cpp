@@ -18,6 +18,7 @@ constexpr std::int32_t fine_pixel = 1 << 14; ///< Dashes::of()
 std::vector<std::int32_t> fine(const std::vector<double>& pixels)
 {
     std::vector<std::int32_t> values;
+    values.reserve(pixels.size());
     for (const double length : pixels)
         values.push_back(static_cast<std::int32_t>(std::lround(length * fine_pixel)));
     return values;
@@ -49,6 +50,7 @@ struct Range {
 std::vector<Range> ranges(const std::vector<Piece>& pieces)
 {
     std::vector<Range> result;
+    result.reserve(pieces.size());
     for (const Piece& piece : pieces)
         result.push_back({spot(piece.from).x, spot(piece.to()).x});
     return result;

@@ -26,7 +26,9 @@ std::string clock_text(const Clock& clock)
 /// found.
 std::string clocks_read(const std::string& text)
 {
-    const auto [scene, findings] = read_on_canvas(text);
+    const SceneText read = read_on_canvas(text);
+    const auto& scene = read.scene;
+    const std::string& findings = read.findings;
     std::string all;
     if (scene) {
         for (const Clock& clock : scene->clocks)
@@ -76,13 +78,14 @@ TEST_CASE("a symbol is stored once for each time that it goes by")
 
 TEST_CASE("an object goes by the time of the drawing that it uses, its own keys by that of the scene")
 {
-    const auto [scene, findings] = read_on_canvas(
+    const SceneText read = read_on_canvas(
         "object o fill=red { use m 4 4 loop=repeat; key 0 opacity=0; key 9 opacity=1 }\nsymbol m" + morph);
-    CAPTURE(findings);
-    REQUIRE(scene);
-    CHECK(object_at(*scene).driver == Driver::of_clock(0));
-    CHECK(scene->clocks.at(0).length == Time::frame(6));
-    for (const scene::Track& track : scene->items[0].tracks)
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    const scene::Scene& scene = *read.scene;
+    CHECK(object_at(scene).driver == Driver::of_clock(0));
+    CHECK(scene.clocks.at(0).length == Time::frame(6));
+    for (const scene::Track& track : scene.items[0].tracks)
         CHECK(track.driver.is_time());
 }
 

@@ -35,36 +35,38 @@ TEST_CASE("copies turn about the pivot of their use, whose keys move them all")
 
 TEST_CASE("copies go along the palette, and what it does not name stays")
 {
-    const auto [scene, findings] = read_on_canvas(
+    const SceneText read = read_on_canvas(
         "palette { a \"#100000\"; b \"#200000\"; c \"#300000\" }\nuse s count=4 colour-step=2\n"
         "symbol s { object o fill=b stroke=lime { rect 0 0 2 2; key 0 fill=b; key 5 fill=c } }");
-    CAPTURE(findings);
-    REQUIRE(scene);
-    REQUIRE(scene->symbols.size() == 3); // the fourth copy has the colours of the first
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    const scene::Scene& scene = *read.scene;
+    REQUIRE(scene.symbols.size() == 3); // the fourth copy has the colours of the first
     const auto red_of = [&scene](std::size_t symbol) {
-        const auto& object = std::get<scene::Object>(scene->symbols[symbol].items[0].content);
-        CHECK(scene->palette[object.stroke->colour].green == 255);
-        return scene->palette[*object.fill].red;
+        const auto& object = std::get<scene::Object>(scene.symbols[symbol].items[0].content);
+        CHECK(scene.palette[object.stroke->colour].green == 255);
+        return scene.palette[*object.fill].red;
     };
     CHECK(red_of(0) == 0x20);
     CHECK(red_of(1) == 0x10);
     CHECK(red_of(2) == 0x30);
-    const scene::Track& fill = scene->symbols[1].items[0].tracks.front();
-    CHECK(scene->palette[static_cast<std::size_t>(fill.keys[1].value)].red == 0x20);
-    const auto& copies = std::get<scene::Group>(scene->items[0].content).items;
+    const scene::Track& fill = scene.symbols[1].items[0].tracks.front();
+    CHECK(scene.palette[static_cast<std::size_t>(fill.keys[1].value)].red == 0x20);
+    const auto& copies = std::get<scene::Group>(scene.items[0].content).items;
     CHECK(std::get<scene::Use>(copies[3].content).symbol == std::get<scene::Use>(copies[0].content).symbol);
 }
 
 TEST_CASE("copies with a step of delay have a time each, in a scene long enough for the last")
 {
-    const auto [scene, findings] = read_on_canvas("use s count=3 delay=1 delay-step=4\nsymbol s { object o "
-                                                  "fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }");
-    CAPTURE(findings);
-    REQUIRE(scene);
-    REQUIRE(scene->clocks.size() == 3);
-    CHECK(scene->clocks[0].delay == Time::frame(1));
-    CHECK(scene->clocks[2].delay == Time::frame(9));
-    CHECK(scene->length == Time::frame(15));
+    const SceneText read = read_on_canvas("use s count=3 delay=1 delay-step=4\nsymbol s { object o "
+                                          "fill=red { rect 0 0 2 2; key 0 x=0; key 6 x=1 } }");
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    const scene::Scene& scene = *read.scene;
+    REQUIRE(scene.clocks.size() == 3);
+    CHECK(scene.clocks[0].delay == Time::frame(1));
+    CHECK(scene.clocks[2].delay == Time::frame(9));
+    CHECK(scene.length == Time::frame(15));
 }
 
 TEST_CASE("among shapes, copies are strokes of one drawing")
