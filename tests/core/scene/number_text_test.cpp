@@ -19,7 +19,8 @@ const Bytes behind = bytes({15});
 std::string shown(const NumberFormat& format, const InputView& input, Time place)
 {
     std::string text;
-    for (const std::byte glyph : NumberText{format, input, place}.glyphs())
+    const NumberText number{format, input, place};
+    for (const std::byte glyph : number.glyphs())
         text += "0123456789-._<>|"[std::to_integer<std::size_t>(glyph)];
     return text;
 }
