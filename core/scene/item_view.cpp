@@ -177,7 +177,7 @@ bool ItemView::is_cut() const
 std::uint32_t ItemView::max_dashes() const
 {
     bool is_dashed = false;
-    std::int32_t max = usual_max_dashes;
+    std::int32_t max = default_max_dashes;
     for (TrackCursor all = tracks; !all.at_end();) {
         const TrackView track = all.next();
         is_dashed = is_dashed || is_dash_length(track.property);

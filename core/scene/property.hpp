@@ -84,8 +84,8 @@ inline constexpr std::int32_t max_trim_mode = 2;
 inline constexpr std::int32_t dash_pixel = 64; ///< of dash lengths and offsets
 inline constexpr std::int32_t max_dash_pixels = 16384;
 inline constexpr std::int32_t max_dash_length = max_dash_pixels * dash_pixel;
-inline constexpr std::int32_t most_dashes = 1024;
-inline constexpr std::int32_t usual_max_dashes = 64;
+inline constexpr std::int32_t max_dash_count = 1024;
+inline constexpr std::int32_t default_max_dashes = 64;
 
 /// Whether a track of it may be smooth: its values are amounts.
 constexpr bool may_be_smooth(Property property)
@@ -115,7 +115,7 @@ constexpr std::int32_t value_without_track(Property property)
     case Property::trim_to:
         return path_whole;
     case Property::max_dashes:
-        return usual_max_dashes;
+        return default_max_dashes;
     default:
         return 0;
     }
@@ -170,7 +170,7 @@ constexpr ValueRange value_range(Property property)
     case Property::gap_3:
         return {0, max_dash_length};
     case Property::max_dashes:
-        return {1, most_dashes};
+        return {1, max_dash_count};
     }
     return {0, 0};
 }

@@ -49,8 +49,8 @@ std::vector<Way> reversed_ways(const std::vector<Way>& ways)
 
 /// Repeats transitions, which have been placed in the scene, until the ends of what is seen.
 ///
-///     keys               0--1--2            the transition before the first key, and that after the last,
-///     are loopOut("cycle")   0--1--2--1--2--    endless, and give way to the copies
+///     keys                0--1--2
+///     loopOut("cycle")    0--1--2--1--2--    what was endless gives way to the copies
 template <typename Way>
 void repeat_ways(std::vector<Way>& ways, const PropertyLoop& loop, const LayerTime& time, art::Budget& budget)
 {

@@ -65,11 +65,15 @@ Group copies_of(const kdl::Node& node, const SymbolUse& use, SourceSpan place, S
 {
     Group group;
     UseTime time = use.time;
-    const Time delay = time.delay.value_or(Time{});
     for (int number = 0; number < *use.repeat.count; ++number) {
-        if (use.repeat.delay != Time{})
-            time.delay = delay + Time{number * use.repeat.delay.ticks};
         const auto values = use.repeat.copy(number, use.values);
+        const auto delay = use.repeat.delay_of(number, use.time.delay);
+        if (!delay) {
+            report_late_copy(node, number, context);
+            return group;
+        }
+        if (use.repeat.delay != Time{})
+            time.delay = delay;
         if (!values) {
             report_far_copy(node, number, context);
             return group;

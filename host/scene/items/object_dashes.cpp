@@ -110,10 +110,10 @@ double dashes_of(const std::vector<Key>& keys, const Pattern& pattern)
 std::int32_t limit_for(double dashes, const Object& object)
 {
     if (object.live || object.label)
-        return most_dashes;
+        return max_dash_count;
     const bool is_carried = object.skin || !object.backbone_keys.empty();
     return static_cast<std::int32_t>(
-        std::min<double>(std::ceil((is_carried ? 2 : 1.25) * dashes), most_dashes));
+        std::min<double>(std::ceil((is_carried ? 2 : 1.25) * dashes), max_dash_count));
 }
 
 }
@@ -150,13 +150,14 @@ void add_max_dashes(std::vector<Track>& tracks, const Object& object, SourceSpan
     if (pattern.dashes == 0)
         return;
     const double dashes = dashes_of(object.keys, pattern);
-    if (dashes > most_dashes)
+    if (dashes > max_dash_count)
         context.report.error(place,
                              "these strokes come to " + std::to_string(std::lround(dashes)) +
-                                 " dashes; a player draws " + std::to_string(most_dashes) + " of an object",
+                                 " dashes; a player draws " + std::to_string(max_dash_count) +
+                                 " of an object",
                              "make dashes and gaps longer, or divide the object");
     const std::int32_t limit = limit_for(dashes, object);
-    if (limit > usual_max_dashes)
+    if (limit > default_max_dashes)
         tracks.push_back({Property::max_dashes, {TrackKey{.time = {}, .laws = {}, .value = limit}}});
 }
 

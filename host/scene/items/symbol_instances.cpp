@@ -81,17 +81,42 @@ private:
         const auto known = symbol.scene_indices.find(key);
         if (known != symbol.scene_indices.end())
             return known->second;
+        // The first one has been counted where it is written.
+        if (!symbol.scene_indices.empty() && !take_points(points_of(symbol.items), symbol.place, context_))
+            return 0;
         std::vector<Item> items = symbol.items;
         resolve(items, around);
-        if (scene_.symbols.size() == max_symbols)
+        if (scene_.symbols.size() >= max_symbols) {
+            report_too_many(symbol);
+            return 0;
+        }
+        const std::size_t index = scene_.symbols.size();
+        scene_.symbols.push_back({symbol.name, std::move(items)});
+        return symbol.scene_indices[key] = index;
+    }
+
+    void report_too_many(const SymbolEntry& symbol)
+    {
+        if (!std::exchange(has_too_many_symbols_, true))
             context_.report.error(
                 symbol.place,
                 "a scene uses at most " + std::to_string(max_symbols) + " symbols that hold items",
                 symbol.scene_indices.empty() ? ""
                                              : "each other time, and each step of colours, counts as one");
-        const std::size_t index = scene_.symbols.size();
-        scene_.symbols.push_back({symbol.name, std::move(items)});
-        return symbol.scene_indices[key] = index;
+    }
+
+    /// Of all drawings; an item and a key count as one.
+    static std::size_t points_of(const std::vector<Item>& items)
+    {
+        std::size_t points = items.size();
+        for (const Item& item : items) {
+            if (const Group* const group = std::get_if<Group>(&item.content))
+                points += points_of(group->items);
+            if (const Object* const object = std::get_if<Object>(&item.content))
+                for (const Key& key : object->keys)
+                    points += point_count(key.drawing) + point_count(key.depths) + 1;
+        }
+        return points;
     }
 
     /// `driver` is what is said of keys at `place`.
@@ -152,6 +177,7 @@ private:
     SceneContext& context_;
     std::map<std::pair<std::size_t, Driver>, std::size_t> copies_;
     bool has_too_many_clocks_ = false;
+    bool has_too_many_symbols_ = false;
 };
 
 }

@@ -80,7 +80,7 @@ constexpr ValueKind kind_of(Property property)
     case Property::gap_3:
         return ValueKind::pixels({0, max_dash_pixels});
     case Property::max_dashes:
-        return ValueKind::whole({1, most_dashes});
+        return ValueKind::whole({1, max_dash_count});
     }
     return {};
 }

@@ -45,6 +45,14 @@ std::optional<ItemValues> Repeat::copy(int number, const ItemValues& use) const
     return values;
 }
 
+std::optional<Time> Repeat::delay_of(int number, std::optional<Time> first) const
+{
+    const std::int64_t ticks = first.value_or(Time{}).ticks + std::int64_t{number} * delay.ticks;
+    if (ticks < -kfb::max_time || ticks > kfb::max_time)
+        return std::nullopt;
+    return Time{static_cast<std::int32_t>(ticks)};
+}
+
 bool read_repeat_count(const kdl::Value& value, Repeat& repeat, SceneContext& context)
 {
     repeat.count = read_whole_number(value, copies, context.report);
@@ -79,6 +87,14 @@ bool report_far_copy(const kdl::Node& node, int number, SceneContext& context)
                                 "the copy with the number " + std::to_string(number + 1) +
                                     " is more than 2047 px away, or more than 64 times as large",
                                 "take smaller steps, or fewer copies");
+}
+
+bool report_late_copy(const kdl::Node& node, int number, SceneContext& context)
+{
+    return context.report.error(property_span(node, "count"),
+                                "the delay of the copy with the number " + std::to_string(number + 1) +
+                                    " is more than " + std::to_string(max_frames) + " frames",
+                                "take a smaller delay-step, or fewer copies");
 }
 
 std::vector<Track> fixed_tracks(const ItemValues& values)

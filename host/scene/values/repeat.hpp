@@ -30,6 +30,8 @@ struct Repeat {
     /// The place, rotation, scale and opacity of a copy, about the pivot of `use`; rounded once. Nothing if
     /// it is beyond what an item may have.
     std::optional<ItemValues> copy(int number, const ItemValues& use) const;
+    /// The delay of a copy. Nothing if it is beyond what a time may be.
+    std::optional<Time> delay_of(int number, std::optional<Time> first) const;
 };
 
 inline constexpr Range copies{1, Repeat::max_count};
@@ -93,6 +95,9 @@ bool has_count_for_steps(const kdl::Node& node, const Repeat& repeat, SceneConte
 
 /// Reports a copy that is out of range. Returns false.
 bool report_far_copy(const kdl::Node& node, int number, SceneContext& context);
+
+/// Reports a copy whose delay is out of range. Returns false.
+bool report_late_copy(const kdl::Node& node, int number, SceneContext& context);
 
 /// Tracks of one value for all that is not as without a track, and the pivot.
 std::vector<Track> fixed_tracks(const ItemValues& values);

@@ -26,7 +26,7 @@ std::int32_t random_value(Dice& dice, Property property, std::size_t colours)
     case Property::trim_mode:
         return dice.within(0, max_trim_mode);
     case Property::max_dashes:
-        return dice.within(1, most_dashes);
+        return dice.within(1, max_dash_count);
     case Property::dash_1:
     case Property::gap_1:
     case Property::dash_2:

@@ -25,7 +25,7 @@ bool changes_nothing(const scene::Track& track, const scene::Item& item)
     case Property::visible:
         return track.keys.size() == 1 && value == 1;
     case Property::max_dashes:
-        return track.keys.size() == 1 && value == usual_max_dashes;
+        return track.keys.size() == 1 && value == default_max_dashes;
     case Property::trim_to:
         return track.keys.size() == 1 && value == path_whole;
     case Property::fill:

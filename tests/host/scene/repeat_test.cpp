@@ -89,6 +89,9 @@ TEST_CASE("what is wrong with copies is told")
           "(take smaller steps, or fewer copies)");
     CHECK(items_read("use dot count=9 scale-step=2" + dot)
               .starts_with("1:9 error: the copy with the number 8 is"));
+    CHECK(items_read("use dot count=1000 delay-step=900000" + dot) ==
+          "1:9 error: the delay of the copy with the number 3 is more than 1000000 frames "
+          "(take a smaller delay-step, or fewer copies)");
     CHECK(items_read("use dot count=2 colour-step=1" + dot)
               .starts_with("1:29 error: these are steps along the palette, and this scene has none"));
     CHECK(items_read("object o fill=red { use tick count=2 opacity-step=-0.1 }" + tick)
