@@ -128,6 +128,12 @@ class Fit(unittest.TestCase):
                       "line but one, and {compared_travel} for each travel".format(**costs), page)
 
 
+class Packages(unittest.TestCase):
+    def test_the_stack_is_that_of_the_benchmarks(self):
+        page = re.sub(r"\s+", " ", (ROOT / "docs/packages.md").read_text(encoding="utf-8"))
+        self.assertIn(f"needs {figure(IMAGES, KFAST_CODE, STACK)} bytes of it on a Cortex-M0", page)
+
+
 class Benchmarks(unittest.TestCase):
     """What docs/benchmarks.md says of its own tables."""
 

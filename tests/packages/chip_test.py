@@ -15,6 +15,7 @@ CXX = sys.argv.pop(1)
 CC = CXX.replace("g++", "gcc")  # links without the C++ library, of which nothing is needed
 FLAGS = [CHIP, "-mthumb", "-Os", "-ffunction-sections", "-fdata-sections", "-fno-exceptions", "-fno-rtti",
          "-fno-threadsafe-statics"]
+PAGE = (ROOT / "docs/packages.md").read_text(encoding="utf-8")
 
 
 class Chip(unittest.TestCase):
@@ -43,13 +44,15 @@ class Chip(unittest.TestCase):
         code, data, zeroed = map(int, output_of("arm-none-eabi-size", program, text=True).splitlines()[1].split()[:3])
         print(f"{CHIP}: {code + data} bytes of flash, {data + zeroed} of RAM")
         self.expect_as_documented(code + data, data + zeroed)
+        header = (ROOT / "examples/library/robot_eyes.h").read_text(encoding="utf-8")
+        [player] = re.findall(r"robot_eyes_block_bytes = (\d+)", header)
+        self.assertIn(f"Of the RAM {int(player):,} bytes are the player", PAGE)
         symbols = output_of("arm-none-eabi-nm", program, text=True)
         self.assertNotRegex(symbols, r"(?m) (malloc|_Znwj|__aeabi_[fd]\w+)$")
 
     def expect_as_documented(self, *bytes_used):
-        page = (ROOT / "docs/packages.md").read_text(encoding="utf-8")
         name = re.escape(CHIP.removeprefix("-mcpu=").replace("cortex-m0plus", "cortex-m0+"))
-        told = re.search(rf"(?i)^\| {name} \| ([\d,]+) bytes \| ([\d,]+) bytes \|$", page, re.MULTILINE)
+        told = re.search(rf"(?i)^\| {name} \| ([\d,]+) bytes \| ([\d,]+) bytes \|$", PAGE, re.MULTILINE)
         for used, figure in zip(bytes_used, told.groups()):
             documented = int(figure.replace(",", ""))
             self.assertLess(abs(used - documented), documented // 100, f"docs/packages.md tells {figure}")
