@@ -28,6 +28,20 @@ struct Segment {
 /// A segment that stays at one point.
 constexpr Segment still_segment(Point at) { return {.from = at, .to = at}; }
 
+/// The point that a segment leaves its beginning for: the first of its points that is elsewhere, or its end.
+constexpr Point after_begin(const Segment& segment)
+{
+    if (segment.kind == Segment::Kind::line || (segment.c1 == segment.from && segment.c2 == segment.from))
+        return segment.to;
+    return segment.c1 == segment.from ? segment.c2 : segment.c1;
+}
+
+/// The point that a segment comes to its end from.
+constexpr Point before_end(const Segment& segment)
+{
+    return after_begin({segment.kind, segment.to, segment.c2, segment.c1, segment.from});
+}
+
 /// A line as a curve, its control points at the thirds to 1/65536 of its length.
 [[gnu::cold]] Segment as_cubic(const Segment& segment);
 

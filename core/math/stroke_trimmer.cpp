@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace kfast {
 namespace {
@@ -34,15 +33,6 @@ std::uint32_t sum(std::uint32_t a, std::uint32_t b) { return a > max_length - b 
 std::uint64_t share_of(std::uint32_t length, std::uint64_t share)
 {
     return (length * share + Trim::whole / 2) >> 24;
-}
-
-/// How much of the parameter of a curve is a quarter of a pixel, at the end of a piece: caps stand across the
-/// curve and not across a long chord. 0 if the curve is shorter.
-std::uint32_t share_of_tip(std::uint32_t chord, std::uint32_t pieces)
-{
-    constexpr std::uint32_t tip_length = 1024; // in 1/4096 px
-    const std::uint32_t whole = chord > max_length / pieces ? max_length : chord * pieces;
-    return whole > tip_length ? Fraction::ratio(tip_length, whole).raw : 0;
 }
 
 }
@@ -270,7 +260,7 @@ void StrokeTrimmer::cut(const Segment& segment)
     ChordPlace place{.chords = static_cast<std::uint32_t>(pieces_of(segment))};
     each_chord(segment, [&](std::uint32_t chord) { cut_chord(segment, chord, place); });
     if (is_drawing_)
-        go_on(segment, place.begin, {Fraction::one}, 0);
+        add(segment, place.begin, {Fraction::one});
 }
 
 void StrokeTrimmer::cut_chord(const Segment& segment, std::uint32_t chord, ChordPlace& place)
@@ -281,14 +271,11 @@ void StrokeTrimmer::cut_chord(const Segment& segment, std::uint32_t chord, Chord
             break;
         const Fraction rest = left == 0 ? Fraction{} : Fraction::ratio(left, chord);
         const Fraction at{std::min((place.number * Fraction::one + rest.raw) / place.chords, Fraction::one)};
-        const std::uint32_t tip =
-            segment.kind == Segment::Kind::cubic ? share_of_tip(chord, place.chords) : 0;
         if (is_drawing_) {
-            go_on(segment, place.begin, at, tip);
+            add(segment, place.begin, at);
             end_piece();
         } else {
             begin_piece(point_at(segment, at));
-            begin_tip_ = tip;
         }
         place.begin = at;
     }
@@ -311,22 +298,7 @@ void StrokeTrimmer::begin_piece(Point at)
     piece_start_ = last_ = placed;
 }
 
-/// Draws the part of a segment between two shares of its parameter. Where a piece begins or ends within a
-/// curve, a tip of it is apart.
-void StrokeTrimmer::go_on(const Segment& segment, Fraction begin, Fraction end, std::uint32_t end_tip)
-{
-    const std::uint32_t begin_tip = std::exchange(begin_tip_, 0);
-    if (begin_tip != 0 && begin.raw + begin_tip < end.raw) {
-        add(segment, begin, {begin.raw + begin_tip});
-        begin.raw += begin_tip;
-    }
-    if (end_tip != 0 && begin.raw + end_tip < end.raw) {
-        add(segment, begin, {end.raw - end_tip});
-        begin.raw = end.raw - end_tip;
-    }
-    add(segment, begin, end);
-}
-
+/// Draws the part of a segment between two shares of its parameter.
 void StrokeTrimmer::add(const Segment& segment, Fraction begin, Fraction end)
 {
     if (begin == end)

@@ -168,7 +168,6 @@ private:
     [[gnu::cold, gnu::noinline]] void cut_chord(const Segment& segment, std::uint32_t chord,
                                                 ChordPlace& place);
     [[gnu::cold]] void begin_piece(Point at);
-    [[gnu::cold]] void go_on(const Segment& segment, Fraction begin, Fraction end, std::uint32_t end_tip);
     [[gnu::cold]] void add(const Segment& segment, Fraction begin, Fraction end);
     [[gnu::cold]] void line_to(Point to);
     [[gnu::cold]] void end_piece();
@@ -191,8 +190,7 @@ private:
     std::uint32_t window_count_ = 0;
     std::uint32_t window_ = 0;    ///< the current one
     Window part_;                 ///< what is drawn now or next: a window, or a dash of it
-    std::uint32_t position_ = 0;  ///< the length of what has been read
-    std::uint32_t begin_tip_ = 0; ///< not yet drawn
+    std::uint32_t position_ = 0; ///< the length of what has been read
     bool is_whole_ = false;       ///< it is passed on as it is
     bool crosses_seam_ = false;
     bool has_part_ = false;

@@ -36,7 +36,7 @@ std::int32_t cosine_q15(int angle)
     return angle <= quarter_turn ? sine_q15(quarter_turn - angle) : -sine_q15(angle - quarter_turn);
 }
 
-constexpr std::int32_t arc_flatness = Fixed::one / 24;
+constexpr std::int32_t arc_flatness = Fixed::one / 16;
 
 /// The widest step in 1/48 quarter turn with which arcs stay within arc_flatness. A chord over the angle a of
 /// a circle of radius r stays within r (1 - cos(a/2)), about r a^2 / 8; of pens wider than 600 px it is more.
@@ -50,6 +50,9 @@ int arc_step(Fixed half_width, int coarseness)
         ++chosen;
     return static_cast<int>(quarter_turn / std::uint32_t{pieces[chosen]});
 }
+
+/// Of the corners of an arc: its ends, which are on the circle, have half chords beside them.
+constexpr int first_angle(int step) { return (step + 1) / 2; }
 
 Point scaled(Point vector, std::int32_t factor_q15)
 {
@@ -104,7 +107,11 @@ std::uint32_t rest_of_turn(Direction a, Direction b, std::int32_t cosine)
 
 }
 
-int max_corners_of_half_turn(Fixed half_width) { return (2 * quarter_turn - 1) / arc_step(half_width, 0); }
+int max_corners_of_half_turn(Fixed half_width)
+{
+    const int step = arc_step(half_width, 0);
+    return (2 * quarter_turn - 1 - first_angle(step)) / step + 1;
+}
 
 /// The bend between two pieces: where their inner sides end, and the angle between them.
 struct StrokeOutline::Bend {
@@ -128,6 +135,7 @@ struct StrokeOutline::Bend {
 
 const StrokeOutline::Code StrokeOutline::code{.begin = plain_function<&StrokeOutline::begin_stroke>,
                                               .line_to = plain_function<&StrokeOutline::go_to>,
+                                              .set_tangent = plain_function<&StrokeOutline::turn_to>,
                                               .end = plain_function<&StrokeOutline::end_stroke>};
 
 void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
@@ -153,6 +161,7 @@ void StrokeOutline::begin_stroke(Point at)
 {
     first_ = last_ = at;
     has_piece_ = false;
+    has_tangent_ = false;
 }
 
 void StrokeOutline::go_to(Point to)
@@ -164,13 +173,35 @@ void StrokeOutline::go_to(Point to)
     if (has_piece_) {
         join(piece);
     } else {
-        first_piece_ = piece;
-        add(Side::right, last_ + piece.side);
-        add(Side::left, last_ - piece.side);
+        if (!has_tangent_ || !can_begin_across(first_piece_, piece))
+            first_piece_ = piece;
+        first_piece_.length = piece.length;
+        add(Side::right, last_ + first_piece_.side);
+        add(Side::left, last_ - first_piece_.side);
     }
     last_ = to;
     last_piece_ = piece;
     has_piece_ = true;
+}
+
+void StrokeOutline::turn_to(Point tangent)
+{
+    if (rough_length(tangent.x.raw(), tangent.y.raw()) < shortest_step)
+        return;
+    const Piece piece = piece_along(tangent);
+    if (!has_piece_) {
+        first_piece_ = piece;
+        has_tangent_ = true;
+    } else if (can_begin_across(piece, last_piece_)) {
+        last_piece_.side = piece.side;
+    }
+}
+
+/// As where sides cross at bends, the far half of the chord is left to its other end.
+bool StrokeOutline::can_begin_across(const Piece& tangent, const Piece& chord)
+{
+    const Point apart = tangent.side - chord.side;
+    return 2 * static_cast<std::uint32_t>(rough_length(apart.x.raw(), apart.y.raw())) <= chord.length;
 }
 
 void StrokeOutline::end_stroke(bool is_closed)
@@ -320,11 +351,16 @@ bool StrokeOutline::has_miter(std::uint32_t rest) const
     return (rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= rest >> 15 << 12;
 }
 
-/// Adds the corners between `from` and the end of an arc, towards `ahead`.
+/// Adds the corners between `from` and the end of an arc, towards `ahead`. They are beyond the circle by 2/3 of
+/// what it rises above its chords, r a^2 / 8 for chords over the angle a: the chords enclose its area.
 void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine)
 {
-    for (int angle = arc_step_; angle < 2 * quarter_turn && cosine_q15(angle) * (1 << 15) > cosine;
-         angle += arc_step_)
+    constexpr std::int32_t beyond_of_step = 3; // (pi / 96)^2 / 12, in Q15
+    const std::int32_t beyond = beyond_of_step * arc_step_ * arc_step_;
+    from = from + scaled(from, beyond);
+    ahead = ahead + scaled(ahead, beyond);
+    for (int angle = first_angle(arc_step_);
+         angle < 2 * quarter_turn && cosine_q15(angle) * (1 << 15) > cosine; angle += arc_step_)
         add(side, centre + scaled(from, cosine_q15(angle)) + scaled(ahead, sine_q15(angle)));
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/math/angle.hpp"
+#include "core/math/flatten.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/outline_store.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -28,9 +30,25 @@ public:
     /// `coarseness`: how often the maximum length of pieces of arcs is doubled.
     StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
+    /// How many pieces a curve needs that `pieces` would do for, were it not as wide. A rim half a width outside
+    /// of the middle, whose radius is r, is farther from its chords by half_width / r; and a quarter of a circle
+    /// has sqrt(5 r) pieces. Of curves that bend less, half as many again are enough.
+    int pieces_of_rims(int pieces) const
+    {
+        constexpr int wide = 4;
+        const int half_width = pen_.half_width.raw() >> 16;
+        if (half_width < wide || pieces >= max_steps)
+            return pieces;
+        return std::min(pieces + std::min(half_width * 5 / pieces, pieces) / 2, max_steps);
+    }
+
     void begin(Point at) { code_->begin(*this, at); }
     /// Points closer than 1/256 px to the previous one are skipped: their direction would be noise.
     void line_to(Point to) { code_->line_to(*this, to); }
+    /// The curve that begins or ends at the last point does so in this direction: the stroke begins, and if it
+    /// ends here ends, across it and not across a chord, where the chord is long enough. The last call before
+    /// the first line_to() and the last one before end() count.
+    void set_tangent(Point tangent) { code_->set_tangent(*this, tangent); }
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed) { code_->end(*this, is_closed); }
     /// Ends the first piece of a closed stroke that is drawn across its seam: without a cap where it began.
@@ -43,12 +61,14 @@ private:
     struct Code {
         void (*begin)(StrokeOutline&, Point at);
         void (*line_to)(StrokeOutline&, Point to);
+        void (*set_tangent)(StrokeOutline&, Point tangent);
         void (*end)(StrokeOutline&, bool is_closed);
     };
     static const Code code;
 
     void begin_stroke(Point at);
     void go_to(Point to);
+    void turn_to(Point tangent);
     void end_stroke(bool is_closed);
 
     enum class Side : std::uint8_t { right, left };
@@ -64,6 +84,7 @@ private:
     static constexpr Side opposite(Side side) { return side == Side::right ? Side::left : Side::right; }
 
     Piece piece_along(Point step) const;
+    static bool can_begin_across(const Piece& tangent, const Piece& chord);
     void add(Side side, Point at);
     void join(const Piece& after);
     void add_pivot(const Bend& bend);
@@ -86,6 +107,7 @@ private:
     Piece last_piece_;
     Piece seam_piece_; ///< with which the first piece began, whose end is joined to it
     bool has_piece_ = false;
+    bool has_tangent_ = false; ///< first_piece_ is the tangent that the stroke begins with
 };
 
 /// Makes one in place, for the feature.

@@ -19,11 +19,11 @@ struct OutlinePieces {
 void ObjectOutline::end_piece(Point hub, PieceEnd end)
 {
     if (!stroke_ || end == PieceEnd::open || end == PieceEnd::closed)
-        end_whole(hub, end == PieceEnd::closed);
-    else if (end == PieceEnd::after_seam)
-        stroke_->end_after_seam();
-    else
-        stroke_->end_at_seam();
+        return end_whole(hub, end == PieceEnd::closed);
+    if (end == PieceEnd::at_seam)
+        return stroke_->end_at_seam();
+    stroke_->set_tangent(end_tangent_);
+    stroke_->end_after_seam();
 }
 
 void trace_trimmed(const Trim& trim, const Affine& placement, ObjectOutline& outline,
