@@ -188,10 +188,10 @@ private:
     std::array<Window, 2> windows_{};
     std::array<std::uint32_t, 2> pattern_begins_{}; ///< how far before each window the pattern did
     std::uint32_t window_count_ = 0;
-    std::uint32_t window_ = 0;    ///< the current one
-    Window part_;                 ///< what is drawn now or next: a window, or a dash of it
+    std::uint32_t window_ = 0;   ///< the current one
+    Window part_;                ///< what is drawn now or next: a window, or a dash of it
     std::uint32_t position_ = 0; ///< the length of what has been read
-    bool is_whole_ = false;       ///< it is passed on as it is
+    bool is_whole_ = false;      ///< it is passed on as it is
     bool crosses_seam_ = false;
     bool has_part_ = false;
     bool is_drawing_ = false; ///< within a part

@@ -6,6 +6,8 @@
 #include "core/prepared/preparer.hpp"
 #include "core/time/track.hpp"
 
+#include <algorithm>
+
 namespace kfast {
 
 namespace {
@@ -73,9 +75,14 @@ void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std
             moved_ = moved_ | dependence_of_input(input);
 }
 
-/// A clock goes by the scene's time or by one before it.
+/// A clock goes by the scene's time or by one before it. To measure a scene, `moment` may say what all of
+/// them show.
 [[gnu::cold, gnu::noinline]] void PreparedScene::set_clocks(const SceneView& scene, const SceneTime& moment)
 {
+    if (!moment.clocks().empty()) {
+        std::ranges::copy(moment.clocks(), clocks_.begin());
+        return;
+    }
     const SceneTime with_clocks{moment.time(), {}, clocks_};
     ClockCursor clocks = scene.clocks();
     for (Time& shown : clocks_) {

@@ -13,7 +13,9 @@ namespace kfast {
     const std::int64_t place = speed < 0 ? length.ticks + run : run;
     if (loop == Loop::once)
         return {static_cast<std::int32_t>(std::clamp<std::int64_t>(place, 0, length.ticks))};
-    return wrap({static_cast<std::int32_t>(place % (2 * std::int64_t{length.ticks}))}, length, loop);
+    const Time wrapped =
+        wrap({static_cast<std::int32_t>(place % (2 * std::int64_t{length.ticks}))}, length, loop);
+    return speed < 0 && loop == Loop::repeat && wrapped == Time{} ? length : wrapped;
 }
 
 }

@@ -20,11 +20,13 @@ struct Clock {
     /// What its time is never beyond.
     static constexpr Time end_of_time{(1 << 30) - 1};
 
-    Driver driver = {};                ///< what it reads: the time of the scene or an earlier clock
-    Time delay = {};                   ///< when it starts; before that it is at its beginning
-    std::int32_t speed = normal_speed; ///< Q16, within ±max_speed; if negative, from its end backwards
-    Loop loop = Loop::once;            ///< what happens at its end
-    Time length = {};                  ///< 0: it has no end; then `loop` is once, and the speed positive
+    Driver driver = {}; ///< what it reads: the time of the scene or an earlier clock
+    Time delay = {};    ///< when it starts; before that it is at its beginning
+    /// Q16, within ±max_speed. If negative, it begins at its end and runs backwards; where it repeats, it is
+    /// at its end and not at 0 when it begins anew.
+    std::int32_t speed = normal_speed;
+    Loop loop = Loop::once; ///< what happens at its end
+    Time length = {};       ///< 0: it has no end; then `loop` is once, and the speed positive
 
     /// Its time when its driver is at `time`, rounded down to a tick.
     Time at(Time time) const;

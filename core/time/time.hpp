@@ -90,6 +90,7 @@ public:
 
     constexpr Time time() const { return time_; }
     constexpr std::span<const Time> inputs() const { return inputs_; }
+    constexpr std::span<const Time> clocks() const { return clocks_; }
     constexpr Time at(Driver driver) const
     {
         if (driver.is_time())

@@ -14,14 +14,15 @@
 #include "host/compiler/limits/measured_moments.hpp"
 #include "host/picture/frame_source.hpp"
 #include "host/picture/timeline.hpp"
-#include "host/preview/playback/key_times.hpp"
 #include "host/text/characters.hpp"
 #include "host/text/number_text.hpp"
 #include "host/walk/every_item.hpp"
 #include "host/walk/input_text.hpp"
+#include "host/walk/key_times.hpp"
 #include "host/words/scene_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -244,7 +245,8 @@ void print_clock(std::size_t index, const Json& clock)
     std::cout << "  clock       " << index << ": ";
     if (clock.contains("clock"))
         std::cout << "of clock " << clock["clock"] << ", ";
-    std::cout << "after " << clock["delay"] << " frames, speed " << clock["speed"];
+    const double speed = std::round(clock["speed"].get<double>() * 10'000) / 10'000;
+    std::cout << "after " << clock["delay"] << " frames, speed " << rounded_text(speed);
     if (clock.contains("frames"))
         std::cout << ", " << clock["frames"] << " frames, " << clock["loop"].get<std::string>();
     std::cout << "; keys " << key_text(clock["keys"], ", at ") << '\n';

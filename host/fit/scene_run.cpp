@@ -2,6 +2,7 @@
 
 #include "host/fit/beam_fit.hpp"
 #include "host/fit/op_counts.hpp"
+#include "host/walk/key_times.hpp"
 
 #include <algorithm>
 
@@ -22,6 +23,26 @@ int frames_in_turn(const PlayRange& stretch)
 {
     const std::int32_t ticks = stretch.length().ticks * (stretch.loop == Loop::ping_pong ? 2 : 1);
     return (ticks + Time::ticks_per_frame - 1) / Time::ticks_per_frame;
+}
+
+/// Every frame or, of a turn that is longer than `max_frames`, evenly spaced ones and those behind each key.
+std::vector<int> visited_frames(const SceneView& scene, const PlayRange& stretch, int max_frames)
+{
+    const int frames = frames_in_turn(stretch);
+    const int stride = (frames + max_frames - 1) / max_frames;
+    std::vector<int> visited;
+    for (int frame = 0; frame < frames; frame += stride)
+        visited.push_back(frame);
+    if (stride == 1)
+        return visited;
+    for (const Time key : shown_key_times(scene)) {
+        const std::int32_t ticks = (key - stretch.begin).ticks + Time::ticks_per_frame - 1;
+        if (const int frame = ticks / Time::ticks_per_frame; ticks >= 0 && frame < frames)
+            visited.push_back(frame);
+    }
+    std::ranges::sort(visited);
+    visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
+    return visited;
 }
 
 /// Never less than a row that the panel takes: whether the real ones hold it is checked elsewhere.
@@ -48,6 +69,7 @@ SceneRun::SceneRun(const SceneView& scene, const Target& target, Fit fit)
       stretch_{steady_stretch(scene)},
       frames_{frames_in_turn(stretch_)},
       stride_{(frames_ + max_frames - 1) / max_frames},
+      visited_{visited_frames(scene, stretch_, max_frames)},
       block_{Player::block_bytes(scene, target.display.size)},
       band_{band_for(target)},
       player_{*Player::create(scene, target.display.size, fit, block_.bytes())},
@@ -64,10 +86,12 @@ void SceneRun::visit_first(Time offset, const VisitFrame& visit)
 void SceneRun::visit_turn(Time offset, const VisitFrame& visit)
 {
     const auto ignore = [](const FrameOps&) {};
-    for (int frame = 0; frame < frames_; frame += stride_) {
-        if (frame == 0 || stride_ > 1)
+    int shown = -1;
+    for (const int frame : visited_) {
+        if (frame == 0 || frame != shown + 1)
             draw(moment_of(frame == 0 ? frames_ - 1 : frame - 1, offset), ignore);
         draw(moment_of(frame, offset), visit);
+        shown = frame;
     }
 }
 
@@ -99,7 +123,7 @@ void SceneRun::visit_turn_with_inputs(const VisitFrame& visit)
 std::size_t SceneRun::frames_of_all() const
 {
     const int with_inputs = player_.scene().input_count() == 0 ? 0 : std::max(frames_, BusyInputs::turn);
-    return static_cast<std::size_t>((2 * frames_ + with_inputs) / stride_);
+    return 2 * visited_.size() + static_cast<std::size_t>(with_inputs / stride_);
 }
 
 void SceneRun::visit_noise(const VisitFrame& visit)
@@ -162,6 +186,7 @@ BeamRun::BeamRun(const SceneView& scene, const Target& target)
     : stretch_{play_range_of(scene)},
       frames_{frames_in_turn(stretch_)},
       stride_{(frames_ + max_frames - 1) / max_frames},
+      visited_{visited_frames(scene, stretch_, max_frames)},
       block_{BeamPlayer::block_bytes(scene, *target.beam)},
       player_{*BeamPlayer::create(scene, *target.beam, room_for_points(target), block_.bytes())},
       inputs_{player_}
@@ -170,7 +195,7 @@ BeamRun::BeamRun(const SceneView& scene, const Target& target)
 
 void BeamRun::visit_all(const VisitPicture& visit)
 {
-    for (int frame = 0; frame < frames_; frame += stride_)
+    for (const int frame : visited_)
         show(moment_of(frame), visit);
     if (stretch_.loop == Loop::once)
         show(stretch_.begin + stretch_.length(), visit);
@@ -181,7 +206,7 @@ void BeamRun::visit_all(const VisitPicture& visit)
 std::size_t BeamRun::frames_of_all() const
 {
     const int with_inputs = player_.scene().input_count() == 0 ? 0 : std::max(frames_, BusyInputs::turn);
-    return static_cast<std::size_t>((frames_ + with_inputs) / stride_);
+    return visited_.size() + static_cast<std::size_t>(with_inputs / stride_);
 }
 
 void BeamRun::visit_busy(const VisitPicture& visit)

@@ -33,7 +33,7 @@ struct FrameOps {
 using VisitFrame = std::function<void(const FrameOps&)>;
 
 /// Plays one round of a scene as a board does, in steps of a frame, and calls visit() for every frame. In a
-/// scene that is longer than `max_frames`, some frames are left out.
+/// scene that is longer than `max_frames`, frames are left out, but not those behind keys.
 class SceneRun {
 public:
     static constexpr int max_frames = 4096;
@@ -72,6 +72,7 @@ private:
     PlayRange stretch_;
     int frames_; ///< until the picture repeats
     int stride_;
+    std::vector<int> visited_;
     WordBlock block_;
     std::vector<std::byte> band_;
     Player player_;
@@ -92,7 +93,7 @@ struct BeamPicture {
 using VisitPicture = std::function<void(const BeamPicture&)>;
 
 /// Plays one round of a scene as a board with a beam does, in steps of a frame. In a scene that is longer
-/// than `max_frames`, some frames are left out.
+/// than `max_frames`, frames are left out, but not those behind keys.
 class BeamRun {
 public:
     static constexpr int max_frames = 4096;
@@ -117,6 +118,7 @@ private:
     PlayRange stretch_;
     int frames_; ///< until the picture repeats
     int stride_;
+    std::vector<int> visited_;
     WordBlock block_;
     BeamPlayer player_;
     BusyInputs inputs_;

@@ -228,6 +228,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
     scene.palette = context.palette.used();
     // After everything that uses what has been read: what they hold is not part of the scene.
     check_unused_symbols(context);
+    warn_of_late_keys(context);
     take_inputs(scene, context);
     take_skeletons(scene, context);
     if (!diagnostics.has_errors()) { // else what uses them may not have been read

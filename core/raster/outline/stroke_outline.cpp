@@ -51,8 +51,13 @@ int arc_step(Fixed half_width, int coarseness)
     return static_cast<int>(quarter_turn / std::uint32_t{pieces[chosen]});
 }
 
-/// Of the corners of an arc: its ends, which are on the circle, have half chords beside them.
-constexpr int first_angle(int step) { return (step + 1) / 2; }
+/// Of the corners of an arc. Its ends are on the circle: beside them, arcs of wide pens have half chords. Of
+/// thin ones a corner less is near enough.
+constexpr int first_angle(int step)
+{
+    constexpr int wide = quarter_turn / 6;
+    return step <= wide ? (step + 1) / 2 : step;
+}
 
 Point scaled(Point vector, std::int32_t factor_q15)
 {
@@ -351,8 +356,8 @@ bool StrokeOutline::has_miter(std::uint32_t rest) const
     return (rest >> 15) * limit * limit >= 128U << 15 && pixels * pixels <= rest >> 15 << 12;
 }
 
-/// Adds the corners between `from` and the end of an arc, towards `ahead`. They are beyond the circle by 2/3 of
-/// what it rises above its chords, r a^2 / 8 for chords over the angle a: the chords enclose its area.
+/// Adds the corners between `from` and the end of an arc, towards `ahead`. They are beyond the circle by 2/3
+/// of what it rises above its chords, r a^2 / 8 for chords over the angle a: the chords enclose its area.
 void StrokeOutline::arc(Side side, Point centre, Point from, Point ahead, std::int32_t cosine)
 {
     constexpr std::int32_t beyond_of_step = 3; // (pi / 96)^2 / 12, in Q15

@@ -30,9 +30,9 @@ public:
     /// `coarseness`: how often the maximum length of pieces of arcs is doubled.
     StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
-    /// How many pieces a curve needs that `pieces` would do for, were it not as wide. A rim half a width outside
-    /// of the middle, whose radius is r, is farther from its chords by half_width / r; and a quarter of a circle
-    /// has sqrt(5 r) pieces. Of curves that bend less, half as many again are enough.
+    /// How many pieces a curve needs that `pieces` would do for, were it not as wide. A rim half a width
+    /// outside of the middle, whose radius is r, is farther from its chords by half_width / r; and a quarter
+    /// of a circle has sqrt(5 r) pieces. Of curves that bend less, half as many again are enough.
     int pieces_of_rims(int pieces) const
     {
         constexpr int wide = 4;
@@ -45,9 +45,9 @@ public:
     void begin(Point at) { code_->begin(*this, at); }
     /// Points closer than 1/256 px to the previous one are skipped: their direction would be noise.
     void line_to(Point to) { code_->line_to(*this, to); }
-    /// The curve that begins or ends at the last point does so in this direction: the stroke begins, and if it
-    /// ends here ends, across it and not across a chord, where the chord is long enough. The last call before
-    /// the first line_to() and the last one before end() count.
+    /// The curve that begins or ends at the last point does so in this direction: the stroke begins, and if
+    /// it ends here ends, across it and not across a chord, where the chord is long enough. The last call
+    /// before the first line_to() and the last one before end() count.
     void set_tangent(Point tangent) { code_->set_tangent(*this, tangent); }
     /// Ends the stroke with two caps, or joins its end to its beginning.
     void end(bool is_closed) { code_->end(*this, is_closed); }

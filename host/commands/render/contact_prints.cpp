@@ -1,9 +1,9 @@
 #include "host/commands/render/contact_prints.hpp"
 
 #include "host/picture/picture.hpp"
-#include "host/preview/playback/key_times.hpp"
 #include "host/program/failure.hpp"
 #include "host/text/number_text.hpp"
+#include "host/walk/key_times.hpp"
 #include "host/words/scene_words.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int smallest_side = 16; ///< of a picture in which anything is to be s
 std::vector<Time> played_keys(const SceneView& scene, const PlayRange& stretch)
 {
     std::vector<Time> times;
-    for (const Time time : key_times(scene))
+    for (const Time time : shown_key_times(scene))
         if (time >= stretch.begin && time <= stretch.end)
             times.push_back(time);
     return times.empty() ? std::vector<Time>{stretch.begin} : times;

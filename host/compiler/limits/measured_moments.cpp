@@ -1,14 +1,14 @@
 #include "host/compiler/limits/measured_moments.hpp"
 
 #include "core/time/time.hpp"
-#include "host/walk/clock_times.hpp"
 #include "host/walk/every_item.hpp"
 #include "host/walk/input_text.hpp"
+#include "host/walk/key_times.hpp"
+#include "host/walk/scene_clocks.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
 
 namespace kfast {
@@ -76,45 +76,6 @@ private:
     std::vector<Time> moments_;
 };
 
-/// The moments between two that follow each other at which a clock comes to another key: the first tick of
-/// it, and the tick before.
-class ClockMoments {
-public:
-    ClockMoments(const SceneView& scene, std::size_t clock) : scene_{scene}, clock_{clock}
-    {
-        DriverMoments keys{Driver::of_clock(clock), Clock::end_of_time};
-        every_item(scene, [&keys](const ItemView& item) { keys.add_keys(item); });
-        keys_ = keys.sorted();
-    }
-
-    void add_between(const std::vector<Time>& moments, std::vector<Time>& added) const
-    {
-        for (std::size_t i = 1; i < moments.size(); ++i)
-            if (key_at(moments[i - 1]) != key_at(moments[i]))
-                add_change(moments[i - 1].ticks, moments[i].ticks, added);
-    }
-
-private:
-    std::ptrdiff_t key_at(Time time) const
-    {
-        return std::ranges::upper_bound(keys_, clock_times(scene_, time)[clock_]) - keys_.begin();
-    }
-
-    void add_change(std::int32_t before, std::int32_t after, std::vector<Time>& added) const
-    {
-        const std::ptrdiff_t key = key_at({before});
-        while (after - before > 1) {
-            const std::int32_t middle = std::midpoint(before, after);
-            (key_at({middle}) == key ? before : after) = middle;
-        }
-        added.insert(added.end(), {{before}, {after}});
-    }
-
-    const SceneView& scene_;
-    std::size_t clock_;
-    std::vector<Time> keys_;
-};
-
 std::vector<Time> moments_of(const SceneView& scene, Driver driver, Time length, std::int32_t step)
 {
     DriverMoments moments{driver, length};
@@ -123,16 +84,33 @@ std::vector<Time> moments_of(const SceneView& scene, Driver driver, Time length,
     return moments.sorted();
 }
 
+/// The times at which a clock first comes to its keys, a tick before and after each, and to some that are
+/// spaced evenly over its own time.
+void add_first_pass(const SceneView& scene, const SceneClocks& clocks, std::size_t clock,
+                    std::vector<Time>& times)
+{
+    constexpr std::int32_t even_times = 32;
+    const Driver driver = Driver::of_clock(clock);
+    const Time length = std::min(clocks[clock].length, Clock::end_of_time);
+    std::vector<Time> shown = key_times(scene, driver);
+    for (std::int32_t i = 1; i <= even_times; ++i)
+        shown.push_back({length.ticks / even_times * i});
+    for (const Time time : shown)
+        if (const auto at = clocks.first_at(clock, time))
+            for (const std::int32_t ticks : {at->ticks - 1, at->ticks, at->ticks + 1})
+                if (ticks >= 0 && ticks <= scene.length().ticks)
+                    times.push_back({ticks});
+}
+
 std::vector<Time> times_of(const SceneView& scene)
 {
     const Time length = scene.length();
     std::vector<Time> times =
         moments_of(scene, {}, length,
                    std::max(Time::ticks_per_frame / moments_of_frame, length.ticks / max_even_moments));
-    std::vector<Time> of_clocks;
-    for (std::size_t clock = 0; clock < scene.clock_count(); ++clock)
-        ClockMoments{scene, clock}.add_between(times, of_clocks);
-    times.insert(times.end(), of_clocks.begin(), of_clocks.end());
+    const SceneClocks clocks{scene};
+    for (std::size_t clock = 0; clock < clocks.count(); ++clock)
+        add_first_pass(scene, clocks, clock, times);
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;

@@ -5,6 +5,7 @@
 #include "core/scene/scene_view.hpp"
 #include "core/time/time.hpp"
 #include "host/compiler/limits/allowance.hpp"
+#include "host/compiler/limits/clock_phases.hpp"
 #include "host/compiler/limits/measured_moments.hpp"
 #include "host/compiler/limits/outline_meter.hpp"
 #include "host/compiler/write/header.hpp"
@@ -110,8 +111,9 @@ void report_excess(const scene::Scene& scene, const SceneView& view, const Scene
     const auto& [path, max] =
         *std::ranges::max_element(by_item, {}, [](const auto& item) { return item.second; });
     const scene::Item& item = *ObjectSearch{scene, view, path}.found();
+    const std::string meeting = moment.clocks().empty() ? "" : ", with symbols at times that may meet,";
     diagnostics.error(item.place,
-                      "the outlines at frame " + scene::text_of(moment.time()) + " need " +
+                      "the outlines at frame " + scene::text_of(moment.time()) + meeting + " need " +
                           std::to_string(needed) + " bytes, " + std::to_string(needed - held) +
                           " more than the format holds; object \"" + item.name + "\" alone needs " +
                           std::to_string(max),
@@ -163,6 +165,62 @@ std::uint32_t borders_with_reserve(std::size_t borders)
     return static_cast<std::uint32_t>(std::min<std::size_t>(wanted, kfb::max_borders));
 }
 
+/// Measures the pictures of a scene, and keeps the most that any needs.
+class Measurement {
+public:
+    /// `view` is `scene` compiled. Both, the meter of it and `diagnostics` must outlive this.
+    Measurement(const scene::Scene& scene, const SceneView& view, OutlineMeter& meter,
+                Diagnostics& diagnostics)
+        : scene_{scene}, view_{view}, meter_{meter}, diagnostics_{diagnostics}
+    {
+    }
+
+    /// What the picture at this moment needs; reported, and not enough if it is more than the format holds.
+    /// `texts` are those that the meter shows.
+    std::size_t measure(const MeasuredMoment& measured, const LargestTexts& texts)
+    {
+        const raster::Picture& picture = meter_.picture_at(measured.moment());
+        const raster::OutlineStore& outlines = picture.outlines;
+        const std::size_t live = meter_.live_bytes();
+        const std::size_t bytes = outlines.needed_bytes() + live;
+        is_refused_ = outlines.is_full() || bytes > kfb::max_outline_bytes;
+        if (outlines.is_full()) {
+            report_excess(scene_, view_, measured.moment(), texts, diagnostics_);
+        } else if (is_refused_) {
+            report_live_excess(scene_, measured.moment(), outlines.needed_bytes(), live, diagnostics_);
+        } else {
+            if (bytes > bytes_)
+                largest_ = measured;
+            bytes_ = std::max(bytes_, bytes);
+            borders_ = std::max(borders_, borders_of(outlines) + live_borders(live));
+            cache_bytes_ = std::max(cache_bytes_, picture.cache.bytes_in_use());
+        }
+        return bytes;
+    }
+
+    bool is_refused() const { return is_refused_; }
+    /// The one that needs most.
+    const MeasuredMoment& largest() const { return largest_; }
+    OutlineNeeds needs() const
+    {
+        return {.bytes = with_reserve(bytes_),
+                .borders = borders_with_reserve(borders_),
+                .cache_bytes =
+                    static_cast<std::uint32_t>(std::min<std::size_t>(cache_bytes_, kfb::max_cache_bytes))};
+    }
+
+private:
+    const scene::Scene& scene_;
+    const SceneView& view_;
+    OutlineMeter& meter_;
+    Diagnostics& diagnostics_;
+    MeasuredMoment largest_;
+    std::size_t bytes_ = 0;
+    std::size_t borders_ = 0;
+    std::size_t cache_bytes_ = 0;
+    bool is_refused_ = false;
+};
+
 }
 
 std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const scene::Scene& scene,
@@ -174,39 +232,27 @@ std::optional<OutlineNeeds> outline_needs(std::vector<std::byte> file, const sce
         return std::nullopt;
     OutlineMeter meter{*view, kfb::max_outline_bytes};
     std::vector<MeasuredMoment> moments = measured_moments(*view);
-    std::size_t max = 0;
-    std::size_t max_borders = 0;
-    std::size_t max_cache_bytes = 0;
     const std::vector<LargestTexts> all_texts = largest_texts(*view, moments, meter);
     const std::size_t pictures = affordable_pictures(*view, peak_bytes(moments, meter));
-    thin_out(moments, std::max(pictures / all_texts.size(), min_moments));
+    const std::size_t with_each = std::max(pictures / all_texts.size(), min_moments);
+    thin_out(moments, with_each);
+    const ClockPhases phases{*view};
+    Measurement measurement{scene, *view, meter, diagnostics};
     const std::size_t steps = all_texts.size() * moments.size();
     std::size_t done = 0;
     for (const LargestTexts& texts : all_texts) {
         put_texts(texts, meter);
+        const auto bytes_at = [&](const MeasuredMoment& moment) {
+            return measurement.is_refused() ? 0 : measurement.measure(moment, texts);
+        };
         for (const MeasuredMoment& measured : moments) {
             on_progress(done++, steps);
-            const raster::Picture& picture = meter.picture_at(measured.moment());
-            const raster::OutlineStore& outlines = picture.outlines;
-            if (outlines.is_full()) {
-                report_excess(scene, *view, measured.moment(), texts, diagnostics);
-                return std::nullopt;
-            }
-            const std::size_t live = meter.live_bytes();
-            const std::size_t bytes = outlines.needed_bytes() + live;
-            if (bytes > kfb::max_outline_bytes) {
-                report_live_excess(scene, measured.moment(), outlines.needed_bytes(), live, diagnostics);
-                return std::nullopt;
-            }
-            max = std::max(max, bytes);
-            max_borders = std::max(max_borders, borders_of(outlines) + live_borders(live));
-            max_cache_bytes = std::max(max_cache_bytes, picture.cache.bytes_in_use());
+            bytes_at(measured);
         }
+        if (phases.are_varied())
+            phases.vary(measurement.largest(), with_each, bytes_at);
     }
-    return OutlineNeeds{.bytes = with_reserve(max),
-                        .borders = borders_with_reserve(max_borders),
-                        .cache_bytes = static_cast<std::uint32_t>(
-                            std::min<std::size_t>(max_cache_bytes, kfb::max_cache_bytes))};
+    return measurement.is_refused() ? std::nullopt : std::optional{measurement.needs()};
 }
 
 }

@@ -5,8 +5,8 @@
 #include "host/preview/board/standalone_player.hpp"
 #include "host/preview/overlay/painted_items.hpp"
 #include "host/preview/overlay/posed_scene.hpp"
-#include "host/preview/playback/key_times.hpp"
 #include "host/walk/every_item.hpp"
+#include "host/walk/key_times.hpp"
 
 #include <algorithm>
 #include <cstdint>

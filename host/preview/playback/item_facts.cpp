@@ -2,9 +2,9 @@
 
 #include "core/pose/item_state.hpp"
 #include "core/time/track.hpp"
-#include "host/preview/playback/key_times.hpp"
 #include "host/text/characters.hpp"
 #include "host/text/number_text.hpp"
+#include "host/walk/key_times.hpp"
 #include "host/words/scene_words.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "host/preview/playback/playback_setup.hpp"
 
-#include "host/preview/playback/key_times.hpp"
+#include "host/walk/key_times.hpp"
 
 #include <utility>
 
@@ -30,7 +30,7 @@ PlaybackSetup playback_setup_of(const SceneView& scene)
         const ClipView clip = clips.next();
         parts.push_back({std::string{clip.name}, play_range_of(clip)});
     }
-    return {scene.frame_rate(), std::move(parts), key_times(scene), scene.events(), inputs_of(scene)};
+    return {scene.frame_rate(), std::move(parts), shown_key_times(scene), scene.events(), inputs_of(scene)};
 }
 
 }

@@ -1,8 +1,8 @@
 #include "host/preview/playback/time_table.hpp"
 
 #include "host/preview/playback/item_facts.hpp"
-#include "host/preview/playback/key_times.hpp"
 #include "host/walk/every_item.hpp"
+#include "host/walk/key_times.hpp"
 
 #include <algorithm>
 #include <map>

@@ -217,6 +217,26 @@ void check_unused_symbols(SceneContext& context)
                                    "use it, or remove it");
 }
 
+namespace {
+
+bool is_retimed(const SymbolEntry& symbol, const SymbolTable& symbols)
+{
+    return symbol.is_retimed || std::ranges::any_of(symbol.users, [&symbols](std::size_t user) {
+               return is_retimed(symbols.entries[user], symbols);
+           });
+}
+
+}
+
+void warn_of_late_keys(SceneContext& context)
+{
+    for (const SymbolEntry& symbol : context.symbols.entries)
+        if (!symbol.late_keys.empty() && !is_retimed(symbol, context.symbols))
+            for (const auto& [noun, place] : symbol.late_keys)
+                context.report.warning(place, "the scene ends before anything of this " + noun + " is seen",
+                                       "make the scene longer with frames=… or remove the " + noun);
+}
+
 std::vector<NodeSchema> symbol_schema()
 {
     std::vector<std::string_view> drawn{symbol_key_id};

@@ -22,6 +22,10 @@ const SymbolEntry* find_symbol(const kdl::Value& name, SceneContext& context);
 /// Reads the symbols that have not been used, for their mistakes, and warns of them.
 void check_unused_symbols(SceneContext& context);
 
+/// Warns of keys in symbols that go by the scene's time wherever they are used, and are later than its end.
+/// All uses have been read.
+void warn_of_late_keys(SceneContext& context);
+
 /// The schema of symbols of items, and of those that are drawings.
 std::vector<NodeSchema> symbol_schema();
 

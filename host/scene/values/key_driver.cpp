@@ -41,6 +41,21 @@ void warn_of_idle_input(const kdl::Node& node, bool has_keys, SceneContext& cont
                                "add keys, or remove input=…");
 }
 
+void report_late_key(std::string_view noun, SourceSpan place, SceneContext& context)
+{
+    const std::string name{noun};
+    SymbolTable& symbols = context.symbols;
+    std::string what = "scene";
+    if (!symbols.in_progress.empty()) {
+        SymbolEntry& symbol = symbols.entries[symbols.number(*symbols.in_progress.back())];
+        if (!symbol.length)
+            return void(symbol.late_keys.emplace_back(name, place));
+        what = "symbol";
+    }
+    context.report.warning(place, "the " + what + " ends before anything of this " + name + " is seen",
+                           "make the " + what + " longer with frames=… or remove the " + name);
+}
+
 bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyDriver& driver,
                  SceneContext& context)
 {

@@ -69,21 +69,22 @@ struct PlacedMoment {
 bool comes_later(std::string_view noun, PlacedMoment before, PlacedMoment at, const KeyDriver& driver,
                  SceneContext& context);
 
-/// Warns of the first of `keys` of which nothing is seen because the scene ends before. Their times rise. Of
-/// those that are at the end or after it, the first `in_use` still shape what is seen; `noun` is the word for
-/// a key.
+/// Warns of a key, or whatever `noun` calls it, of which nothing is seen because the scene or the symbol that
+/// it is in ends before. In a symbol that has no length of its own, only later: warn_of_late_keys().
+void report_late_key(std::string_view noun, SourceSpan place, SceneContext& context);
+
+/// Reports the first of `keys` of which nothing is seen because the scene, or a symbol, ends before. Their
+/// times rise. Of those that are at the end or after it, the first `in_use` still shape what is seen.
 template <class Key>
-void warn_of_unseen_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
-                         SceneContext& context)
+void look_for_late_keys(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
+                        SceneContext& context)
 {
     if (!context.length)
         return;
     const auto begins_too_late = [&](const Key& key) { return key.time >= *context.length; };
     const auto late = std::ranges::find_if(keys, begins_too_late);
     if (keys.end() - late > in_use)
-        context.report.warning((late + in_use)->place,
-                               "the scene ends before anything of this " + std::string{noun} + " is seen",
-                               "make the scene longer with frames=… or remove the " + std::string{noun});
+        report_late_key(noun, (late + in_use)->place, context);
 }
 
 /// The same; also notes the time that `keys` extend to.
@@ -91,7 +92,7 @@ template <class Key>
 void take_times(const std::vector<Key>& keys, std::ptrdiff_t in_use, std::string_view noun,
                 SceneContext& context)
 {
-    warn_of_unseen_keys(keys, in_use, noun, context);
+    look_for_late_keys(keys, in_use, noun, context);
     if (!keys.empty())
         context.last_key = std::max(context.last_key, keys.back().time);
 }

@@ -59,6 +59,31 @@ std::optional<Clock> clock_of(const UseTime& time, const SymbolEntry& symbol, So
     return std::nullopt;
 }
 
+/// Notes where the symbol is used, and that it is not at the time around the use.
+void note_use(const SymbolEntry& symbol, bool is_retimed, SymbolTable& symbols)
+{
+    SymbolEntry& entry = symbols.entries[symbols.number(symbol)];
+    entry.is_retimed = entry.is_retimed || is_retimed;
+    if (!symbols.in_progress.empty())
+        entry.users.push_back(symbols.number(*symbols.in_progress.back()));
+}
+
+void warn_of_late_use(const Clock& clock, SourceSpan place, SceneContext& context)
+{
+    if (context.symbols.in_progress.empty() && context.length && clock.delay >= *context.length)
+        context.report.warning(place, "the scene ends before this use of a symbol begins",
+                               "make the scene longer with frames=… or the delay shorter");
+}
+
+/// What is rounded off a speed makes no scene a little longer than whole frames.
+std::int64_t rounded_to_frame(std::int64_t ticks, std::int64_t length, std::int64_t speed)
+{
+    const std::int64_t frame =
+        (ticks + Time::ticks_per_frame / 2) / Time::ticks_per_frame * Time::ticks_per_frame;
+    const std::int64_t uncertainty = length * Clock::normal_speed / (2 * speed * speed) + 1;
+    return std::abs(frame - ticks) <= uncertainty ? frame : ticks;
+}
+
 }
 
 bool report_too_many_clocks(SourceSpan place, SceneContext& context)
@@ -71,11 +96,16 @@ bool report_too_many_clocks(SourceSpan place, SceneContext& context)
 std::optional<Driver> own_driver(const UseTime& time, const SymbolEntry& symbol, SourceSpan place,
                                  SceneContext& context)
 {
-    if (!time.is_given() && !symbol.length && !symbol.loop)
+    const bool is_retimed = time.is_given() || symbol.length || symbol.loop;
+    note_use(symbol, is_retimed, context.symbols);
+    if (!is_retimed)
         return Driver{};
     const auto clock = clock_of(time, symbol, place, context);
     if (!clock)
         return std::nullopt;
+    if (*clock == Clock{})
+        return Driver{};
+    warn_of_late_use(*clock, place, context);
     const auto known = std::ranges::find(context.clocks, *clock);
     const auto index = static_cast<std::size_t>(known - context.clocks.begin());
     if (index == max_clocks) {
@@ -94,7 +124,8 @@ void take_pass(const SymbolEntry& symbol, Driver driver, SceneContext& context)
         const Clock& clock = context.clocks[driver.index()];
         const std::int64_t length = clock.length == Time{} ? symbol.last_key.ticks : clock.length.ticks;
         const std::int64_t speed = std::abs(clock.speed);
-        end = clock.delay.ticks + (length * Clock::normal_speed + speed - 1) / speed;
+        const std::int64_t pass = (length * Clock::normal_speed + speed - 1) / speed;
+        end = clock.delay.ticks + rounded_to_frame(pass, length, speed);
     }
     const std::int64_t latest = std::min<std::int64_t>(end, kfb::max_time);
     context.last_key =

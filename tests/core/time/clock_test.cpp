@@ -32,7 +32,7 @@ double reference(const Clock& clock, std::int32_t time)
     if (clock.loop == Loop::once)
         return std::clamp(place, 0.0, length);
     if (clock.loop == Loop::repeat)
-        return modulo(place, length);
+        return clock.speed < 0 && modulo(place, length) == 0 ? length : modulo(place, length);
     const double there_and_back = modulo(place, 2 * length);
     return std::min(there_and_back, 2 * length - there_and_back);
 }
@@ -68,6 +68,8 @@ TEST_CASE("a clock runs at its speed, backwards from its end")
     CHECK(shown({.speed = -half}, 0) == 20);
     CHECK(shown({.speed = -half}, 10) == 15);
     CHECK(shown({.speed = -half}, 100) == 0);
+    CHECK(shown({.speed = -half, .loop = Loop::repeat}, 0) == 20);
+    CHECK(shown({.speed = -half, .loop = Loop::repeat}, 40) == 20);
     CHECK(shown({.speed = -half, .loop = Loop::repeat}, 44) == 18);
     CHECK(shown({.speed = -half, .loop = Loop::ping_pong}, 44) == 2);
 }

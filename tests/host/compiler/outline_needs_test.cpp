@@ -74,6 +74,35 @@ TEST_CASE("a drawing that one frame of a long scene shows has room")
     }
 }
 
+TEST_CASE("a symbol that goes by its own time has room in a scene, however long")
+{
+    const std::string symbol = "symbol s frames=25 { object z fill=red { key 0 law=hold { rect 0 0 9 9 }; "
+                               "key 12 law=hold { " +
+                               comb(200, 9, 99) + " }; key 13 { rect 0 0 9 9 } } }\n";
+    const auto alone = compiled(scene_with(symbol + "use s loop=repeat", "100000"));
+    CHECK(fits(alone, {240, 240}, Time::frame(12)));
+    CHECK(fits(alone, {240, 240}, Time::frame(99'987)));
+    // All four show it at frame 27487, and at no other of the first 36,000.
+    const auto meeting =
+        compiled(scene_with(symbol + "use s loop=repeat\nuse s loop=repeat speed=0.96\n"
+                                     "use s loop=repeat speed=0.93\nuse s loop=repeat speed=1.111",
+                            "36000"));
+    CHECK(fits(meeting, {240, 240}, Time::frame(27'487)));
+}
+
+TEST_CASE("copies that keep their distance need no room for meeting")
+{
+    const std::string copies =
+        "symbol s frames=25 { object z fill=red { key 0 law=hold { rect 0 0 9 9 }; key 12 "
+        "law=hold { " +
+        comb(200, 9, 99) + " }; key 13 { rect 0 0 9 9 } } }\nuse s loop=repeat count=4 delay-step=3";
+    const auto block_bytes = [&copies](const std::string& frames) {
+        const auto bytes = compiled(scene_with(copies, frames));
+        return Player::block_bytes(*SceneView::parse(bytes), {240, 240});
+    };
+    CHECK(block_bytes("36000") == block_bytes("100"));
+}
+
 TEST_CASE("moments are even, at changes and just before them")
 {
     const auto bytes =

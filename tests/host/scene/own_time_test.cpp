@@ -95,6 +95,8 @@ TEST_CASE("a scene without frames lasts for one pass of what it uses")
     CHECK(length_read("use s delay=4\nsymbol s" + spin) == 12);
     CHECK(length_read("use s delay=4 speed=-0.5\nsymbol s frames=20" + spin) == 44);
     CHECK(length_read("use s\nsymbol s frames=5" + spin) == 5);
+    CHECK(length_read("use s speed=\"1/3\"\nsymbol s frames=30" + spin) == 90);
+    CHECK(length_read("use s speed=0.7 delay=2\nsymbol s frames=21" + spin) == 32);
     CHECK(length_read("use s delay=-50\nsymbol s" + spin) == 1);
 }
 
@@ -104,7 +106,43 @@ TEST_CASE("keys beyond the length of their symbol are warned of, not those beyon
     CHECK(read("kfast 1\ncanvas 9 9 frames=40\nuse s\nsymbol s frames=6 { object o fill=red { rect 0 0 2 2; "
                "key 0 x=0;"
                " key 7 x=1; key 8 x=9 } }")
-              .findings.find("the scene ends before anything of this key is seen") != std::string::npos);
+              .findings.find("the symbol ends before anything of this key is seen") != std::string::npos);
+}
+
+TEST_CASE("keys beyond the scene are warned of in symbols that go by its time wherever they are used")
+{
+    const auto findings = [](const std::string& uses) {
+        return read("kfast 1\ncanvas 9 9 frames=6\n" + uses + "\nsymbol s" + spin).findings;
+    };
+    const std::string late = "the scene ends before anything of this key is seen";
+    CHECK(findings("use s\nuse s 1 1").find(late) == std::string::npos); // the last key still shapes it
+    const auto with_late_key = [&](const std::string& uses) {
+        return read("kfast 1\ncanvas 9 9 frames=6\n" + uses +
+                    "\nsymbol s { object o fill=red { rect 0 0 2 2; key 0 x=0; key 7 x=1; key 8 x=9 } }")
+            .findings;
+    };
+    CHECK(with_late_key("use s").find(late) != std::string::npos);
+    CHECK(with_late_key("use s\nuse s speed=4").empty());
+    CHECK(with_late_key("use s delay=-5").empty());
+    CHECK(with_late_key("use t\nsymbol t frames=20 { use s }").empty());
+    CHECK(with_late_key("use t speed=-2\nsymbol t { use s }").empty());
+    CHECK(with_late_key("use t\nsymbol t { use s }").find(late) != std::string::npos);
+}
+
+TEST_CASE("a use that begins when the scene has ended is warned of")
+{
+    const auto findings = [](const std::string& delay) {
+        return read("kfast 1\ncanvas 9 9 frames=6\nuse s delay=" + delay + "\nsymbol s" + spin).findings;
+    };
+    CHECK(findings("5").empty());
+    CHECK(findings("6") ==
+          "3:1 warning: the scene ends before this use of a symbol begins (make the scene longer "
+          "with frames=… or the delay shorter)");
+}
+
+TEST_CASE("a use at the time around it needs no time of its own, whatever it says")
+{
+    CHECK(clocks_read("use s delay=0 speed=1 loop=once\nsymbol s" + spin) == "s\n");
 }
 
 TEST_CASE("what is wrong with a time of its own is told")

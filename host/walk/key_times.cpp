@@ -1,6 +1,7 @@
-#include "host/preview/playback/key_times.hpp"
+#include "host/walk/key_times.hpp"
 
 #include "host/walk/every_item.hpp"
+#include "host/walk/scene_clocks.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -75,6 +76,19 @@ std::vector<Time> key_times(const SceneView& scene, Driver driver)
         times.add(skeletons.next());
     every_item(scene, [&times](const ItemView& item) { times.add(item); });
     return times.sorted();
+}
+
+std::vector<Time> shown_key_times(const SceneView& scene)
+{
+    std::vector<Time> times = key_times(scene);
+    const SceneClocks clocks{scene};
+    for (std::size_t clock = 0; clock < clocks.count(); ++clock)
+        for (const Time key : key_times(scene, Driver::of_clock(clock)))
+            if (const auto time = clocks.first_at(clock, key); time && *time <= scene.length())
+                times.push_back(*time);
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
 }
 
 }

@@ -1,4 +1,4 @@
-#include "host/preview/playback/key_times.hpp"
+#include "host/walk/key_times.hpp"
 
 #include "tests/host/compiler/scene_parts.hpp"
 
