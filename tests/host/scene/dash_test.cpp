@@ -59,6 +59,10 @@ TEST_CASE("patterns with mistakes")
                       "dash has no track by key times"));
     CHECK(has_finding("object o fill=red { rect 0 0 9 9; key 0 dash=4 }",
                       "this object has no stroke to change"));
+    CHECK(has_finding("object o fill=red dash=4 { rect 0 0 9 9 }",
+                      "1:19 error: this object has no stroke to dash (add stroke=COLOUR, or remove dash)"));
+    CHECK(has_finding("object o fill=red dash-offset=4 { rect 0 0 9 9 }",
+                      "error: this object has no stroke to dash"));
     CHECK(has_finding("object o stroke=red dash=4 { cuboid 10 10 0 9 9 9 }",
                       "a drawing with depth is not dashed"));
 }
