@@ -76,6 +76,44 @@ TEST_CASE("a player draws up to 1024 dashes of an object")
     CHECK(items_read("object o stroke=red dash=\"0 0\" { line 0 0 200 0 }") == "object o @0");
 }
 
+TEST_CASE("dashes between keys count as well")
+{
+    const std::string line = "{ line 0 0 600 0; key 0 dash=\"20 20\"";
+    CHECK(has_finding("object o stroke=red " + line + "; key 9 dash=\"4 4\" }", "max_dashes[95]"));
+    // Beyond the key to a pattern of some 2.4 px
+    CHECK(has_finding("object o stroke=red " + line + " law=back; key 9 dash=\"4 4\" }", "max_dashes[158]"));
+    CHECK(has_finding("object o stroke=red " + line + " law=hold; key 9 dash=\"0 0\" }",
+                      "gap_1[0:1280(hold,hold) 9:0]"));
+    CHECK(has_finding("object o stroke=red { key 0 law=back { line 0 0 100 0 }; key 9 { line 0 0 900 0 } }",
+                      "object o @0,9"));
+    CHECK(has_finding("object o stroke=red dash=5 { key 0 law=back { line 0 0 100 0 }\n"
+                      "key 9 { line 0 0 900 0 } }",
+                      "max_dashes[127]"));
+}
+
+TEST_CASE("dashes that shrink to nothing are too many, which is told at their key")
+{
+    const std::string shrinks = "object o stroke=red { line 0 0 600 0; key 0 dash=\"20 20\"\nkey 9 dash=";
+    const std::string read = items_read(shrinks + "\"0 0\" }");
+    CHECK(read.find("max_dashes[1024]") != std::string::npos);
+    CHECK(read.find("2:1 warning: between keys these strokes may come to more than 1024 dashes; the rest of "
+                    "them is drawn whole (let only the gaps become 0, as in dash=\"20 0\", or only the "
+                    "dashes; or keep both longer)") != std::string::npos);
+    CHECK_FALSE(has_finding(shrinks + "\"20 0\" }", "warning"));
+    CHECK_FALSE(has_finding(shrinks + "\"0 20\" }", "warning"));
+}
+
+TEST_CASE("bones may stretch what is dashed")
+{
+    const SceneText read = read_on_canvas("bones s { bone b 0 9 9 9 }\nobject o stroke=red dash=4 skin=s "
+                                          "bone=b { line 0 9 9 9 }");
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    const scene::Track& last = read.scene->items[0].tracks.back();
+    CHECK(last.property == Property::max_dashes);
+    CHECK(last.keys[0].value == 1024);
+}
+
 TEST_CASE("dashed pies change their points, so that their lines are dashed")
 {
     CHECK(items_read("object o stroke=red dash=4 { key 0 { pie 50 50 r=40 from=0 to=90 }\n"
