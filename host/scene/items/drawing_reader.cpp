@@ -229,7 +229,8 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
         return false;
     if (outline.sector)
         sectors_.push_back({drawing_.strokes.size(), *outline.sector, form_of(outline)});
-    if (outline.begins_letter || std::exchange(last_node_, &node) != &node)
+    const bool is_other_node = std::exchange(last_node_, &node) != &node;
+    if (outline.begins_letter || is_other_node)
         letters_.push_back(drawing_.strokes.size());
     drawing_.strokes.push_back(std::move(stroke));
     outlines_.push_back(std::move(outline));

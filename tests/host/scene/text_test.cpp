@@ -220,4 +220,14 @@ TEST_CASE("a text must stay on paper, and within the points of a drawing")
     CHECK(drawn("line 1 2 3 4\n" + text(letters)) == "2:6 error: a drawing holds at most 65535 points");
 }
 
+TEST_CASE("the strokes of a letter are marked as one")
+{
+    const SceneText read = read_on_canvas("object o fill=red { key 0 match=letters { text \"BOB\" at=\"5,60\" "
+                                          "size=30; circle 9 9 r=4 }; key 9 { empty } }");
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    CHECK(key_at(*read.scene).drawing.strokes.size() == 9);
+    CHECK(key_at(*read.scene).letters == std::vector<std::size_t>{0, 3, 5, 8});
+}
+
 }
