@@ -191,10 +191,11 @@ void DrawingReader::copy(const kdl::Node& node)
     ItemValues values = use->values;
     mirror(use->mirror, values, {}, {});
     const Placement placement{values};
+    warn_of_unseen_copies(node, use->repeat, context_);
     for (int number = 0; number < use->repeat.count.value_or(1); ++number) {
         const auto step = use->repeat.copy(number, {});
         if (!step) {
-            report_far_copy(node, number, context_);
+            report_far_copy(node, number, use->repeat, context_);
             return;
         }
         const Placement within{*step};

@@ -222,8 +222,9 @@ TEST_CASE("a text must stay on paper, and within the points of a drawing")
 
 TEST_CASE("the strokes of a letter are marked as one")
 {
-    const SceneText read = read_on_canvas("object o fill=red { key 0 match=letters { text \"BOB\" at=\"5,60\" "
-                                          "size=30; circle 9 9 r=4 }; key 9 { empty } }");
+    const SceneText read =
+        read_on_canvas("object o fill=red { key 0 match=letters { text \"BOB\" at=\"5,60\" "
+                       "size=30; circle 9 9 r=4 }; key 9 { empty } }");
     CAPTURE(read.findings);
     REQUIRE(read.scene);
     CHECK(key_at(*read.scene).drawing.strokes.size() == 9);
