@@ -51,7 +51,8 @@ private:
 
 void warn_of_idle_colour_step(const kdl::Node& node, const SymbolUse& use, SceneContext& context)
 {
-    if (use.repeat.colour != 0 && context.palette.declared() != 0 && !NamedColours{context}.are_in(*use.symbol))
+    if (use.repeat.colour != 0 && context.palette.declared() != 0 &&
+        !NamedColours{context}.are_in(*use.symbol))
         context.report.warning(property_span(node, "colour-step"),
                                "colour-step does nothing: the symbol has no colour that the palette names",
                                "give it one by its name in the palette, or remove colour-step");

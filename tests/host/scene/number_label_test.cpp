@@ -62,7 +62,34 @@ TEST_CASE("a format tells decimals, zeros, gaps, and what stands around the numb
     CHECK(format("v=0 v") == "0 1 0 | 13 14 | 15 13");
     CHECK(format("0/100") == "0 1 0 | | 13 14 15 15");
     CHECK(format("0.") == "0 1 0 | | 13");
+    CHECK(format("# of 1.05") == "0 1 0 | | 13 14 15 13 16 17 18 19");
     CHECK(!label("").format->decimals);
+}
+
+TEST_CASE("what stands between quotes is itself")
+{
+    CHECK(format("'#0' 0:'00'") == "0 1 0 | 13 14 15 | 16 14 14");
+    CHECK(format("0'_'") == "0 1 0 | | 13");
+    CHECK(format("#'") == "0 1 0 | | 13");
+    CHECK(format("#''") == "0 1 0 | | 13");
+    CHECK(format("'it''s' #") == "0 1 0 | 13 14 15 16 17 |");
+}
+
+TEST_CASE("a second number, and separators of thousands, are refused at their place")
+{
+    const std::string second =
+        " error: a format has one number, and this is a digit of a second one (put what "
+        "is shown as it is between quotes, as in \"#:'00'\")";
+    CHECK(found_in("format=\"0:00\"") == "4:82" + second);
+    CHECK(found_in("format=\"10x#\"") == "4:83" + second);
+    CHECK(found_in("format=\"#.#.#\"") == "4:84" + second);
+    CHECK(found_in("format=\"# µ_\"") == "4:83" + second);
+    const std::string thousands =
+        " error: there are no separators of thousands (write the digits together, as "
+        "in \"###0\"; decimals are \"0.000\")";
+    CHECK(found_in("format=\"#,##0\"") == "4:81" + thousands);
+    CHECK(found_in("format=\"#.##0 m\"") == "4:81" + thousands);
+    CHECK(found_in("format=\"#,###,##0\"") == "4:85" + thousands);
 }
 
 TEST_CASE("a label of a number has its digits, and what else it needs")
