@@ -79,6 +79,18 @@ bool lies_flat(const kdl::Node& use, const ItemValues& values, SceneContext& con
     return true;
 }
 
+void report_moving_symbol(const kdl::Node& use, const SymbolEntry& symbol, SceneContext& context)
+{
+    const SourceSpan name = use.arguments.front().place;
+    const std::string has_keys = "the symbol " + in_quotes(symbol.name) + " has keys, ";
+    if (has_property(use, "count"))
+        context.report.error(name, has_keys + "and there are no copies of such a drawing",
+                             "leave out count=, draw the symbol without keys, or let it hold an object");
+    else
+        context.report.error(name, has_keys + "which do not fit here",
+                             "let its use be all that an object without skin draws, or use one without keys");
+}
+
 bool report_reach(const kdl::Node& node, SceneContext& context)
 {
     return context.report.error(node.name_span,
@@ -164,9 +176,7 @@ void DrawingReader::copy(const kdl::Node& node)
     const SymbolEntry& symbol = *use->symbol;
     const SourceSpan name = node.arguments.front().place;
     if (!symbol.still) {
-        context_.report.error(
-            name, "the symbol " + in_quotes(symbol.name) + " has keys, which do not fit here",
-            "let its use be all that an object without skin draws, or use one without keys");
+        report_moving_symbol(node, symbol, context_);
         return;
     }
     if (use->time.is_given()) {
