@@ -107,6 +107,18 @@ TEST_CASE("a label of a number has its digits, and what else it needs")
           text_of(label("format=\"0,0\"").glyphs[kfb::number_glyph::point].drawing));
 }
 
+TEST_CASE("what an input shows follows no path, and that is all that is told")
+{
+    const auto along = [](const std::string& input) {
+        return read_on_canvas(input + "\nobject o fill=red { text input=n along=\"M 2 2 L 90 9\" size=9 }")
+            .findings;
+    };
+    CHECK(along("input n min=0 max=9") ==
+          "4:34 error: a number does not follow a path (write at=\"X,Y\" in the place of along=…)");
+    CHECK(along("input n kind=text glyphs=\"0-9\" max=5")
+              .starts_with("4:34 error: the text of an input does not follow a path"));
+}
+
 TEST_CASE("what is wrong with a format is told at its place")
 {
     const std::string hint = " (write a digit as #, _ or 0, and what stands around it, as in \"##0.0 km/h\")";

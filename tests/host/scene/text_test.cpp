@@ -108,8 +108,12 @@ TEST_CASE("what is wrong with a text along a path is told at its place")
           "other)");
     CHECK(along("II along=\"M 10 50 L 22 50\"")
               .find("1:6 warning: 4 pixels of this text lie beyond its path") != std::string::npos);
-    CHECK(along("II along=\"M 10 50 L 90 50\" at=\"1,2\"").find("error: text has no property \"at\"") !=
-          std::string::npos);
+    CHECK(along("II along=\"M 10 50 L 90 50\" at=\"1,2\"") ==
+          "1:33 error: along=… says where this text is, in the place of at (remove at=… or along=…)");
+    CHECK(along("II along=\"M 10 50 L 90 50\" vertical=top")
+              .starts_with("1:33 error: a text along a path stands on it, and is not moved across it"));
+    CHECK(along("II along=\"M 10 50 L 90 50\" leading=9")
+              .starts_with("1:33 error: a text along a path has one line"));
     CHECK(along("II along=\"M 10 50 L 90 50\" start=1.5").find("out of range") != std::string::npos);
 }
 
