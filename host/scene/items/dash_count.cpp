@@ -192,4 +192,83 @@ double dashes_between(std::span<const Key> keys, const DashPattern& pattern)
     return most;
 }
 
+namespace {
+
+constexpr double growth_of_bends = 2;
+
+/// At keys and between them.
+double longest(std::span<const TrackKey> keys)
+{
+    double longest = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        longest = std::max<double>(longest, keys[i].value);
+        for (int moment = 1; i + 1 < keys.size() && moment < moments; ++moment)
+            longest = std::max(
+                longest, std::lerp(keys[i].value, keys[i + 1].value, progress_at(moment, keys[i].laws).x));
+    }
+    return longest;
+}
+
+const std::vector<TrackKey>& keys_of(const Bone& bone, BoneQuantity quantity)
+{
+    return bone.keys[static_cast<std::size_t>(quantity)];
+}
+
+bool has_moved_origin(const Bone& bone)
+{
+    return !keys_of(bone, BoneQuantity::x).empty() || !keys_of(bone, BoneQuantity::y).empty();
+}
+
+/// Widens a range by the lengths of a line's segments, each of at least a pixel.
+struct LengthRange {
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 1;
+
+    void include(Point from, Point to)
+    {
+        const double length = std::max(distance(pixels(from), pixels(to)), 1.0);
+        shortest = std::min(shortest, length);
+        longest = std::max(longest, length);
+    }
+};
+
+/// The segment with this index of a line at all keys; `line` is that of a backbone.
+double growth_of(std::span<const BackboneKey> keys, std::size_t backbone, std::vector<Point> Backbone::*line,
+                 std::size_t segment)
+{
+    LengthRange range;
+    for (const BackboneKey& key : keys) {
+        const std::vector<Point>& points = key.backbones[backbone].*line;
+        range.include(points[segment], points[segment + 1]);
+    }
+    return range.longest / range.shortest;
+}
+
+}
+
+double growth_by(const Bones& skeleton)
+{
+    const auto is_root = [](const Bone& bone) { return !bone.parent; };
+    const bool is_one_tree = std::ranges::count_if(skeleton.bones, is_root) == 1;
+    double stretch = 1;
+    for (const Bone& bone : skeleton.bones) {
+        if (has_moved_origin(bone) && !(is_root(bone) && is_one_tree))
+            return std::numeric_limits<double>::infinity();
+        const double length = bone.set_up[static_cast<std::size_t>(BoneQuantity::length)];
+        stretch = std::max(stretch, longest(keys_of(bone, BoneQuantity::length)) / length);
+    }
+    return growth_of_bends * stretch;
+}
+
+double growth_by(std::span<const BackboneKey> keys)
+{
+    double stretch = 1;
+    const std::vector<Backbone>& backbones = keys.front().backbones;
+    for (std::size_t i = 0; i < backbones.size(); ++i)
+        for (const auto line : {&Backbone::nodes, &Backbone::left, &Backbone::right})
+            for (std::size_t segment = 0; segment + 1 < (backbones[i].*line).size(); ++segment)
+                stretch = std::max(stretch, growth_of(keys, i, line, segment));
+    return growth_of_bends * stretch;
+}
+
 }

@@ -32,4 +32,10 @@ double dashes_of(std::span<const Key> keys, const DashPattern& pattern);
 /// No drawing between two of the keys comes to more.
 double dashes_between(std::span<const Key> keys, const DashPattern& pattern);
 
+/// How many times as long strokes become where bones bend and stretch them, twice as long for bends alone;
+/// infinity where bones move apart.
+double growth_by(const Bones& skeleton);
+/// Where backbones do.
+double growth_by(std::span<const BackboneKey> keys);
+
 }

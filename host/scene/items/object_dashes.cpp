@@ -32,12 +32,21 @@ void warn_of_idle_offset(const kdl::Node& object, const std::vector<ItemKey>& ke
         warn(*key.node);
 }
 
-/// With room for pieces that a trim leaves. What bones carry, or what comes from outside, has any length.
-std::int32_t limit_for(double dashes, const Object& object)
+/// How many times as long strokes may become by what carries them.
+double growth_of(const Object& object, const SceneContext& context)
 {
-    if (object.live || object.label || object.skin || !object.backbone_keys.empty())
+    if (object.skin)
+        return growth_by(context.skeletons.entries[object.skin->bones].bones);
+    return object.backbone_keys.empty() ? 1 : growth_by(object.backbone_keys);
+}
+
+/// With room for pieces that a trim leaves. What comes from outside has any length.
+std::int32_t limit_for(double dashes, const Object& object, const SceneContext& context)
+{
+    if (object.live || object.label)
         return max_dash_count;
-    return static_cast<std::int32_t>(std::min<double>(std::ceil(1.25 * dashes), max_dash_count));
+    const double grown = std::ceil(1.25 * growth_of(object, context) * dashes);
+    return static_cast<std::int32_t>(std::min<double>(grown, max_dash_count));
 }
 
 void warn_of_many_dashes(SourceSpan place, SceneContext& context)
@@ -93,7 +102,7 @@ void add_max_dashes(std::vector<Track>& tracks, const Object& object, SourceSpan
                              "make dashes and gaps longer, or divide the object");
     else if (between > max_dash_count)
         warn_of_many_dashes(moved ? moved->place : place, context);
-    const std::int32_t limit = limit_for(std::max(dashes, between), object);
+    const std::int32_t limit = limit_for(std::max(dashes, between), object, context);
     if (limit > default_max_dashes)
         tracks.push_back({Property::max_dashes, {TrackKey{.time = {}, .laws = {}, .value = limit}}});
 }

@@ -105,13 +105,32 @@ TEST_CASE("dashes that shrink to nothing are too many, which is told at their ke
 
 TEST_CASE("bones may stretch what is dashed")
 {
-    const SceneText read = read_on_canvas("bones s { bone b 0 9 9 9 }\nobject o stroke=red dash=4 skin=s "
-                                          "bone=b { line 0 9 9 9 }");
-    CAPTURE(read.findings);
-    REQUIRE(read.scene);
-    const scene::Track& last = read.scene->items[0].tracks.back();
-    CHECK(last.property == Property::max_dashes);
-    CHECK(last.keys[0].value == 1024);
+    const auto limit = [](const std::string& skeleton) {
+        const SceneText read = read_on_canvas("bones s { " + skeleton +
+                                              " }\nobject o stroke=red dash=1 skin=s { line 0 9 60 9 }");
+        CAPTURE(read.findings);
+        REQUIRE(read.scene);
+        const scene::Track& last = read.scene->items[0].tracks.back();
+        CHECK(last.property == Property::max_dashes);
+        return last.keys[0].value;
+    };
+    CHECK(limit("bone b 0 9 60 9") == 78); // 31 dashes
+    CHECK(limit("bone b 0 9 60 9; pose 0 { b length=60 }; pose 9 { b length=180 }") == 233);
+    CHECK(limit("bone b 0 9 60 9; pose 0 law=back { b length=60 }; pose 9 { b length=180 }") == 248);
+    CHECK(limit("bone b 0 9 60 9; pose 0 { b x=0 y=9 }; pose 9 { b x=9 y=90 }") == 78);
+    CHECK(limit("bone b 0 9 30 9; bone c 30 9 60 9; pose 0 { c x=30 y=0 }; pose 9 { c x=90 y=0 }") == 1024);
+}
+
+TEST_CASE("backbones may stretch what is dashed")
+{
+    const auto object = [](const std::string& end) {
+        return items_read("object o stroke=red dash=1 { line 10 50 70 50\n"
+                          "key 0 { skeleton { backbone 10 50 70 50; width 9 } }\n"
+                          "key 9 { skeleton { backbone 10 50 " +
+                          end + "; width 9 } } }");
+    };
+    CHECK(object("70 50").find("max_dashes[78]") != std::string::npos);
+    CHECK(object("190 50").find("max_dashes[233]") != std::string::npos);
 }
 
 TEST_CASE("dashed pies change their points, so that their lines are dashed")
