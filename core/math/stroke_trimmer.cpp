@@ -177,21 +177,21 @@ void StrokeTrimmer::next_part()
 }
 
 /// Whether there is one in the rest of the window. The last one that an object may have takes all of it, as
-/// the only one of what is not dashed does.
+/// the only one of what is not dashed does. A whole pattern in which nothing is drawn is the last.
 bool StrokeTrimmer::next_dash(const Window& window)
 {
-    while (dash_begin_ < window.end) {
-        const bool is_dash = dash_.is_dash();
-        const bool is_last = is_dash && dashes_ >= trim_.dashes.max;
+    for (std::uint32_t i = 0; dash_begin_ < window.end && i <= Dashes::max_lengths; ++i) {
+        const bool is_drawn = dash_.is_dash() && dash_.left != 0;
+        const bool is_last = is_drawn && dashes_ >= trim_.dashes.max;
         const std::uint32_t rest = window.end - dash_begin_;
         part_ = {dash_begin_, dash_begin_ + (is_last ? rest : std::min(dash_.left, rest))};
         dash_begin_ = part_.end;
         if (is_dashed_) {
-            dashes_ += is_dash ? 1 : 0;
+            dashes_ += is_drawn ? 1 : 0;
             dash_.index = (dash_.index + 1) % trim_.dashes.count;
             dash_.left = trim_.dashes.lengths[dash_.index];
         }
-        if (is_dash && part_.begin != part_.end)
+        if (is_drawn)
             return true;
     }
     return false;

@@ -23,6 +23,7 @@
 #include "host/words/synonyms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
 #include <string>
@@ -135,9 +136,13 @@ std::string_view property_of_object(const kdl::Node& node, const kdl::Property& 
                                                      : std::string_view{};
 }
 
-std::string hint_of_object(const kdl::Node& node, const kdl::Property& property,
-                           std::span<const std::string_view> known)
+/// Where a property is that stands at a wrong node.
+std::string hint_of_place(const kdl::Node& node, const kdl::Property& property,
+                          std::span<const std::string_view> known)
 {
+    constexpr std::array<std::string_view, 1> of_symbol{"frames"};
+    if (node.name == use_name && !meaning_among(of_symbol, property.name).empty())
+        return "the symbol has it: symbol NAME frames=…";
     const std::string_view of_object = property_of_object(node, property);
     if (of_object.empty() || !meaning_among(known, property.name).empty())
         return {};
@@ -211,7 +216,7 @@ std::optional<Scene> read_scene(const kdl::Document& document, const SourceText&
                                 Diagnostics& diagnostics)
 {
     SceneContext context{
-        .report = {source, diagnostics, hint_of_object}, .palette = {}, .fonts = FontShelf{source.folder}};
+        .report = {source, diagnostics, hint_of_place}, .palette = {}, .fonts = FontShelf{source.folder}};
     if (!read_version(document, context))
         return std::nullopt;
     const Parts parts = sort_out(document, context);

@@ -112,6 +112,7 @@ constexpr std::array synonym_table{
     Synonym{"repeat", "use"},
     Synonym{"repeater", "use"},
     Synonym{"copies", "count"},
+    Synonym{"repeat", "count"},
     Synonym{"begin", "delay"},
     Synonym{"start", "delay"},
     Synonym{"animation-delay", "delay"},

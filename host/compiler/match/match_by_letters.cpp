@@ -58,7 +58,9 @@ scene::Stroke drawn_together(const scene::Stroke& stroke, scene::Point point)
 /// Appends letters to two drawings.
 class LetterMatch {
 public:
-    explicit LetterMatch(bool is_stroked) : is_stroked_{is_stroked} {}
+    /// With `hides`, what has no partner is drawn together where another line ends, which hides the caps of
+    /// its stroke.
+    explicit LetterMatch(bool hides) : hides_{hides} {}
 
     /// Either may be empty, not both. False if there are too many points.
     bool add(Letter a, Letter b)
@@ -89,7 +91,7 @@ private:
 
     void add_alone(const scene::Stroke& stroke, Letter centred, scene::Drawing& own, scene::Drawing& other)
     {
-        const bool is_hidden = is_stroked_ && !other.strokes.empty();
+        const bool is_hidden = hides_ && !other.strokes.empty();
         own.strokes.push_back(stroke);
         other.strokes.push_back(
             drawn_together(stroke, is_hidden ? end_of(other.strokes.back()) : centre_of(centred)));
@@ -100,7 +102,7 @@ private:
         return stroke.segments.empty() ? stroke.from : stroke.segments.back().to;
     }
 
-    bool is_stroked_;
+    bool hides_;
     MatchedDrawings matched_;
 };
 
@@ -110,9 +112,7 @@ std::optional<MatchedDrawings> match_by_letters(const scene::Key& a, const scene
 {
     const std::vector<Letter> from = letters_of(a);
     const std::vector<Letter> to = letters_of(b);
-    if (from.empty() || to.empty())
-        return MatchedDrawings{a.drawing, b.drawing};
-    LetterMatch match{is_stroked};
+    LetterMatch match{is_stroked && !from.empty() && !to.empty()};
     for (std::size_t i = 0; i < std::max(from.size(), to.size()); ++i)
         if (!match.add(i < from.size() ? from[i] : Letter{}, i < to.size() ? to[i] : Letter{}))
             return std::nullopt;

@@ -82,6 +82,11 @@ bool Palette::use_declared()
     return std::ranges::all_of(in_order_, [this](Colour colour) { return use(colour).has_value(); });
 }
 
+bool Palette::is_declared(std::size_t index) const
+{
+    return std::ranges::find(in_order_, used_[index]) != in_order_.end();
+}
+
 std::size_t Palette::behind(std::size_t index, int steps) const
 {
     const auto own = std::ranges::find(in_order_, used_[index]);

@@ -33,6 +33,8 @@ public:
 
     /// Uses all declared ones. Returns false if there would be more than max_colours in use.
     bool use_declared();
+    /// Whether the palette names the colour with this index among those in use.
+    bool is_declared(std::size_t index) const;
     /// Of the colours in use, the one that is declared `steps` behind that with this index, from the last on
     /// to the first; itself if it is not declared. All declared ones are in use.
     std::size_t behind(std::size_t index, int steps) const;

@@ -79,6 +79,18 @@ bool lies_flat(const kdl::Node& use, const ItemValues& values, SceneContext& con
     return true;
 }
 
+void report_moving_symbol(const kdl::Node& use, const SymbolEntry& symbol, SceneContext& context)
+{
+    const SourceSpan name = use.arguments.front().place;
+    const std::string has_keys = "the symbol " + in_quotes(symbol.name) + " has keys, ";
+    if (has_property(use, "count"))
+        context.report.error(name, has_keys + "and there are no copies of such a drawing",
+                             "leave out count=, draw the symbol without keys, or let it hold an object");
+    else
+        context.report.error(name, has_keys + "which do not fit here",
+                             "let its use be all that an object without skin draws, or use one without keys");
+}
+
 bool report_reach(const kdl::Node& node, SceneContext& context)
 {
     return context.report.error(node.name_span,
@@ -164,9 +176,7 @@ void DrawingReader::copy(const kdl::Node& node)
     const SymbolEntry& symbol = *use->symbol;
     const SourceSpan name = node.arguments.front().place;
     if (!symbol.still) {
-        context_.report.error(
-            name, "the symbol " + in_quotes(symbol.name) + " has keys, which do not fit here",
-            "let its use be all that an object without skin draws, or use one without keys");
+        report_moving_symbol(node, symbol, context_);
         return;
     }
     if (use->time.is_given()) {
@@ -191,10 +201,11 @@ void DrawingReader::copy(const kdl::Node& node)
     ItemValues values = use->values;
     mirror(use->mirror, values, {}, {});
     const Placement placement{values};
+    warn_of_unseen_copies(node, use->repeat, context_);
     for (int number = 0; number < use->repeat.count.value_or(1); ++number) {
         const auto step = use->repeat.copy(number, {});
         if (!step) {
-            report_far_copy(node, number, context_);
+            report_far_copy(node, number, use->repeat, context_);
             return;
         }
         const Placement within{*step};
@@ -229,7 +240,8 @@ bool DrawingReader::add(Outline outline, const kdl::Node& node)
         return false;
     if (outline.sector)
         sectors_.push_back({drawing_.strokes.size(), *outline.sector, form_of(outline)});
-    if (outline.begins_letter || std::exchange(last_node_, &node) != &node)
+    const bool is_other_node = std::exchange(last_node_, &node) != &node;
+    if (outline.begins_letter || is_other_node)
         letters_.push_back(drawing_.strokes.size());
     drawing_.strokes.push_back(std::move(stroke));
     outlines_.push_back(std::move(outline));

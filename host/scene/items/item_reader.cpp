@@ -3,6 +3,7 @@
 #include "host/kdl/document.hpp"
 #include "host/scene/context/limits.hpp"
 #include "host/scene/context/scene_context.hpp"
+#include "host/scene/items/copies.hpp"
 #include "host/scene/items/key_list.hpp"
 #include "host/scene/items/object_reader.hpp"
 #include "host/scene/items/symbol_use.hpp"
@@ -53,42 +54,6 @@ Changes read_changes(const kdl::Node& node, const KeyDriver& driver, SceneContex
     }
     changes.keys = keys.take();
     return changes;
-}
-
-/// What the copies of a symbol are in: it has the place of the use and what changes it.
-///
-///     use dot 60 60 count=3 rotate-step=120 { key 0 rotate=0; key 9 rotate=90 }
-///
-///     group 60 60 { key 0 rotate=0; key 9 rotate=90     it has no place in the text
-///         use dot; use dot rotate=120; use dot rotate=240 }
-Group copies_of(const kdl::Node& node, const SymbolUse& use, SourceSpan place, SceneContext& context)
-{
-    Group group;
-    UseTime time = use.time;
-    for (int number = 0; number < *use.repeat.count; ++number) {
-        const auto values = use.repeat.copy(number, use.values);
-        const auto delay = use.repeat.delay_of(number, use.time.delay);
-        if (!delay) {
-            report_late_copy(node, number, context);
-            return group;
-        }
-        if (use.repeat.delay != Time{})
-            time.delay = delay;
-        if (!values) {
-            report_far_copy(node, number, context);
-            return group;
-        }
-        const auto inner = own_driver(time, *use.symbol, place, context);
-        if (!inner)
-            return group;
-        take_pass(*use.symbol, *inner, context);
-        group.items.push_back(
-            {.name = "",
-             .tracks = fixed_tracks(*values),
-             .content = Use{context.symbols.number(*use.symbol), *inner, number * use.repeat.colour},
-             .place = place});
-    }
-    return group;
 }
 
 /// A symbol of items, used as an item: its Use has the number of the symbol's entry in `context.symbols`.

@@ -48,8 +48,19 @@ void report_paint_of_nothing(std::string_view needs, SourceSpan place, SceneCont
                          "add " + name + "=COLOUR to the object");
 }
 
+void refuse_dashes_of_nothing(const kdl::Node& object, SceneContext& context)
+{
+    if (has_property(object, "stroke"))
+        return;
+    for (const std::string_view property : {"dash", "dash-offset"})
+        if (has_property(object, property))
+            context.report.error(property_span(object, property), "this object has no stroke to dash",
+                                 "add stroke=COLOUR, or remove " + std::string{property});
+}
+
 void refuse_paint_of_nothing(const kdl::Node& object, const DrawingContent& content, SceneContext& context)
 {
+    refuse_dashes_of_nothing(object, context);
     for (const Painted& paint : painted) {
         if (has_property(object, paint.needs))
             continue;

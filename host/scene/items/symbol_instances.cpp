@@ -81,28 +81,35 @@ private:
         const auto known = symbol.scene_indices.find(key);
         if (known != symbol.scene_indices.end())
             return known->second;
-        // The first one has been counted where it is written.
-        if (!symbol.scene_indices.empty() && !take_points(points_of(symbol.items), symbol.place, context_))
+        if (!has_room(symbol) || !take_points_again(symbol))
             return 0;
         std::vector<Item> items = symbol.items;
         resolve(items, around);
-        if (scene_.symbols.size() >= max_symbols) {
-            report_too_many(symbol);
+        if (!has_room(symbol)) // those that it uses may have taken it
             return 0;
-        }
         const std::size_t index = scene_.symbols.size();
         scene_.symbols.push_back({symbol.name, std::move(items)});
         return symbol.scene_indices[key] = index;
     }
 
-    void report_too_many(const SymbolEntry& symbol)
+    /// Whether there may be one more. The first thing that does not fit is reported, and no symbols are added
+    /// after it.
+    bool has_room(const SymbolEntry& symbol)
     {
-        if (!std::exchange(has_too_many_symbols_, true))
-            context_.report.error(
-                symbol.place,
-                "a scene uses at most " + std::to_string(max_symbols) + " symbols that hold items",
-                symbol.scene_indices.empty() ? ""
-                                             : "each other time, and each step of colours, counts as one");
+        if (is_full_ || scene_.symbols.size() < max_symbols)
+            return !is_full_;
+        is_full_ = true;
+        return context_.report.error(
+            symbol.place, "a scene uses at most " + std::to_string(max_symbols) + " symbols that hold items",
+            symbol.scene_indices.empty() ? "" : "each other time, and each step of colours, counts as one");
+    }
+
+    /// The points of the first one have been counted where it is written.
+    bool take_points_again(const SymbolEntry& symbol)
+    {
+        is_full_ =
+            !symbol.scene_indices.empty() && !take_points(points_of(symbol.items), symbol.place, context_);
+        return !is_full_;
     }
 
     /// Of all drawings; an item and a key count as one.
@@ -177,7 +184,7 @@ private:
     SceneContext& context_;
     std::map<std::pair<std::size_t, Driver>, std::size_t> copies_;
     bool has_too_many_clocks_ = false;
-    bool has_too_many_symbols_ = false;
+    bool is_full_ = false;
 };
 
 }

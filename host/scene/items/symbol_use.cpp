@@ -82,8 +82,7 @@ std::optional<SymbolUse> read_use(const kdl::Node& node, SymbolEntry::Kind kind,
     read_place(node, use.values, context);
     const kdl::Value& name = node.arguments.front();
     use.symbol = find_symbol(name, context);
-    if (use.symbol == nullptr || !is_of_kind(kind, use, name, context) ||
-        !has_count_for_steps(node, use.repeat, context))
+    if (use.symbol == nullptr || !is_of_kind(kind, use, name, context) || !has_count_for_steps(node, context))
         return std::nullopt;
     const auto inner = own_driver(use.time, *use.symbol, span(node.name_span, name.place), context);
     if (!inner)

@@ -220,6 +220,20 @@ bool add_number(const Input& shown, const kdl::Value* format, const kdl::Node& n
            has_capacity(label, longest(label, shown), node, context);
 }
 
+/// Reports a path; the input counts as used then.
+bool has_no_path(const kdl::Node& node, SceneContext& context)
+{
+    if (!has_property(node, "along"))
+        return true;
+    const auto name = std::ranges::find(node.properties, "input", &kdl::Property::name);
+    const auto input = use_label_input(name->value, context);
+    const bool is_number = input && context.inputs.entries[*input].input.type == InputType::number;
+    return context.report.error(property_span(node, "along"),
+                                std::string{is_number ? "a number" : "the text of an input"} +
+                                    " does not follow a path",
+                                "write at=\"X,Y\" in the place of along=…");
+}
+
 }
 
 bool is_label(const kdl::Node& node) { return node.name == label_form.name && has_property(node, "input"); }
@@ -233,7 +247,7 @@ void report_label_among_shapes(const kdl::Node& node, SceneContext& context)
 
 std::optional<Label> read_label(const kdl::Node& node, SceneContext& context)
 {
-    if (!fits(node, label_form, context.report))
+    if (!fits(node, label_form, context.report) || !has_no_path(node, context))
         return std::nullopt;
     const auto properties = read_text_properties(node, TextKind::label, context);
     if (!properties)

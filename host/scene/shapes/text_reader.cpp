@@ -10,8 +10,10 @@
 #include "host/text/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,6 +52,29 @@ bool has_letters(const kdl::Value& value, std::string_view text, const TextPrope
 
 namespace {
 
+/// What does not go with a path, and why.
+struct Superseded {
+    std::string_view property;
+    std::string_view reason;
+};
+
+constexpr std::array superseded_by_path{
+    Superseded{"at", "along=… says where this text is, in the place of at"},
+    Superseded{"vertical", "a text along a path stands on it, and is not moved across it"},
+    Superseded{"leading", "a text along a path has one line"},
+};
+
+bool goes_with_path(const kdl::Node& node, SceneContext& context)
+{
+    bool good = true;
+    for (const Superseded& superseded : superseded_by_path)
+        if (has_property(node, superseded.property))
+            good =
+                context.report.error(property_span(node, superseded.property), std::string{superseded.reason},
+                                     "remove " + std::string{superseded.property} + "=… or along=…");
+    return good;
+}
+
 /// Refuses several lines, and warns of a line that leads beyond an end of the path.
 bool fits_path(const kdl::Value& value, std::string_view text, const TextStyle& style, SceneContext& context)
 {
@@ -81,7 +106,8 @@ std::vector<Outline> read_text_shape(const kdl::Node& node, std::size_t points_l
         return {};
     }
     const bool is_on_path = has_property(node, "along");
-    if (!fits(node, is_on_path ? path_form : words_form, context.report))
+    if (!fits(node, is_on_path ? path_form : words_form, context.report) ||
+        (is_on_path && !goes_with_path(node, context)))
         return {};
     const kdl::Value& value = node.arguments.front();
     const auto properties =

@@ -30,6 +30,9 @@ struct Repeat {
     /// The place, rotation, scale and opacity of a copy, about the pivot of `use`; rounded once. Nothing if
     /// it is beyond what an item may have.
     std::optional<ItemValues> copy(int number, const ItemValues& use) const;
+    /// Whether a copy is wholly transparent, or too small to have any extent.
+    bool is_transparent(int number) const;
+    bool is_nothing(int number) const;
     /// The delay of a copy. Nothing if it is beyond what a time may be.
     std::optional<Time> delay_of(int number, std::optional<Time> first) const;
 };
@@ -91,10 +94,13 @@ inline constexpr std::array item_repeat_rules{
 };
 
 /// Reports steps of `node` where there is no count. Returns whether there is nothing to report.
-bool has_count_for_steps(const kdl::Node& node, const Repeat& repeat, SceneContext& context);
+bool has_count_for_steps(const kdl::Node& node, SceneContext& context);
 
 /// Reports a copy that is out of range. Returns false.
-bool report_far_copy(const kdl::Node& node, int number, SceneContext& context);
+bool report_far_copy(const kdl::Node& node, int number, const Repeat& repeat, SceneContext& context);
+
+/// Warns if copies are not seen, and says from which number on.
+void warn_of_unseen_copies(const kdl::Node& node, const Repeat& repeat, SceneContext& context);
 
 /// Reports a copy whose delay is out of range. Returns false.
 bool report_late_copy(const kdl::Node& node, int number, SceneContext& context);

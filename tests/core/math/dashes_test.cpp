@@ -161,9 +161,17 @@ TEST_CASE("beyond the most dashes of an object its strokes are whole, and withou
     CHECK(dashed({0, 0}).is_whole());
     CHECK(dashed({-3, 0, -1, 0}).is_whole());
     CHECK_FALSE(dashed({1, 0}).is_whole());
-    Trim nothing = dashed({0, 0.001});
-    nothing.dashes.max = 1024;
-    CHECK(trimmed({line_of(2000)}, nothing).size() <= 1);
+    CHECK(trimmed({line_of(2000)}, dashed({0, 0.001})).empty());
+}
+
+TEST_CASE("what is not drawn is no dash of an object")
+{
+    Trim dots = dashed({0, 2});
+    dots.dashes.max = 3;
+    CHECK(trimmed({line_of(20), line_of(20)}, dots).empty());
+    Trim every_other = dashed({0, 2, 1, 2});
+    every_other.dashes.max = 3;
+    check_ranges(trimmed({line_of(30)}, every_other), {{2, 3}, {7, 8}, {12, 13}, {17, 30}});
 }
 
 TEST_CASE("dashes are within 1/16 px of where the length of the curves says")

@@ -73,14 +73,25 @@ TEST_CASE("with a stroke, what has no partner comes out of the end of what stand
     CHECK(matched->from.strokes == std::vector{line(0, 0, 0, 16), line(0, 16, 0, 16)});
 }
 
-TEST_CASE("an empty drawing stays one, and one without letters is one")
+TEST_CASE("letters come out of an empty drawing, each from its centre")
 {
     const scene::Key none = key({}, {});
-    const scene::Key one = key({line(0, 0, 0, 16), line(32, 0, 32, 16)}, {});
-    const auto grown = match_by_letters(none, one, false);
+    const scene::Key two = key({line(0, 0, 0, 16), line(8, 4, 8, 12), line(32, 0, 32, 16)}, {0, 2});
+    const auto grown = match_by_letters(none, two, false);
     REQUIRE(grown);
-    CHECK(grown->from.strokes.empty());
-    CHECK(grown->to == one.drawing);
+    CHECK(grown->from.strokes == std::vector{line(4, 8, 4, 8), line(4, 8, 4, 8), line(32, 8, 32, 8)});
+    CHECK(grown->to == two.drawing);
+    const auto shrunk = match_by_letters(two, none, false);
+    REQUIRE(shrunk);
+    CHECK(shrunk->from == two.drawing);
+    CHECK(shrunk->to == grown->from);
+    CHECK(match_by_letters(two, none, true)->to == grown->from);
+    CHECK(match_by_letters(none, none, false)->to == none.drawing);
+}
+
+TEST_CASE("a drawing without letters is one")
+{
+    const scene::Key one = key({line(0, 0, 0, 16), line(32, 0, 32, 16)}, {});
     CHECK(match_by_letters(one, one, false)->from == one.drawing);
 }
 

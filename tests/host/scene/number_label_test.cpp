@@ -62,7 +62,34 @@ TEST_CASE("a format tells decimals, zeros, gaps, and what stands around the numb
     CHECK(format("v=0 v") == "0 1 0 | 13 14 | 15 13");
     CHECK(format("0/100") == "0 1 0 | | 13 14 15 15");
     CHECK(format("0.") == "0 1 0 | | 13");
+    CHECK(format("# of 1.05") == "0 1 0 | | 13 14 15 13 16 17 18 19");
     CHECK(!label("").format->decimals);
+}
+
+TEST_CASE("what stands between quotes is itself")
+{
+    CHECK(format("'#0' 0:'00'") == "0 1 0 | 13 14 15 | 16 14 14");
+    CHECK(format("0'_'") == "0 1 0 | | 13");
+    CHECK(format("#'") == "0 1 0 | | 13");
+    CHECK(format("#''") == "0 1 0 | | 13");
+    CHECK(format("'it''s' #") == "0 1 0 | 13 14 15 16 17 |");
+}
+
+TEST_CASE("a second number, and separators of thousands, are refused at their place")
+{
+    const std::string second =
+        " error: a format has one number, and this is a digit of a second one (put what "
+        "is shown as it is between quotes, as in \"#:'00'\")";
+    CHECK(found_in("format=\"0:00\"") == "4:82" + second);
+    CHECK(found_in("format=\"10x#\"") == "4:83" + second);
+    CHECK(found_in("format=\"#.#.#\"") == "4:84" + second);
+    CHECK(found_in("format=\"# µ_\"") == "4:83" + second);
+    const std::string thousands =
+        " error: there are no separators of thousands (write the digits together, as "
+        "in \"###0\"; decimals are \"0.000\")";
+    CHECK(found_in("format=\"#,##0\"") == "4:81" + thousands);
+    CHECK(found_in("format=\"#.##0 m\"") == "4:81" + thousands);
+    CHECK(found_in("format=\"#,###,##0\"") == "4:85" + thousands);
 }
 
 TEST_CASE("a label of a number has its digits, and what else it needs")
@@ -78,6 +105,18 @@ TEST_CASE("a label of a number has its digits, and what else it needs")
     CHECK(!label("", "min=-1 max=1").glyphs[kfb::number_glyph::minus].drawing.strokes.empty());
     CHECK(text_of(label("format=\"0.0\"").glyphs[kfb::number_glyph::point].drawing) !=
           text_of(label("format=\"0,0\"").glyphs[kfb::number_glyph::point].drawing));
+}
+
+TEST_CASE("what an input shows follows no path, and that is all that is told")
+{
+    const auto along = [](const std::string& input) {
+        return read_on_canvas(input + "\nobject o fill=red { text input=n along=\"M 2 2 L 90 9\" size=9 }")
+            .findings;
+    };
+    CHECK(along("input n min=0 max=9") ==
+          "4:34 error: a number does not follow a path (write at=\"X,Y\" in the place of along=…)");
+    CHECK(along("input n kind=text glyphs=\"0-9\" max=5")
+              .starts_with("4:34 error: the text of an input does not follow a path"));
 }
 
 TEST_CASE("what is wrong with a format is told at its place")

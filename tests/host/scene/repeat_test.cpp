@@ -22,9 +22,10 @@ TEST_CASE("a use with a count is a group of copies, each a step further")
 
 TEST_CASE("opacities add up within 0 and 1")
 {
-    CHECK(
-        items_read("use dot count=4 opacity=0.5 opacity-step=-0.4" + dot) ==
-        "group opacity[128]\n  use dot\n  use dot opacity[153]\n  use dot opacity[51]\n  use dot opacity[0]");
+    CHECK(items_read("use dot count=4 opacity=0.5 opacity-step=-0.4" + dot)
+              .starts_with(
+                  "group opacity[128]\n  use dot\n  use dot opacity[153]\n  use dot opacity[51]\n  use dot "
+                  "opacity[0]\n"));
 }
 
 TEST_CASE("copies turn about the pivot of their use, whose keys move them all")
@@ -78,17 +79,69 @@ TEST_CASE("among shapes, copies are strokes of one drawing")
             .starts_with("M 10 6 L 10 8 M 11 2 L 11 6 M 12 -6 L 12 2"));
 }
 
+TEST_CASE("copies of which nothing is seen are told")
+{
+    CHECK(
+        items_read("use dot count=9 opacity-step=-0.25" + dot)
+            .ends_with("1:17 warning: with this opacity-step nothing is seen of the copies from number 5 on: "
+                       "their opacity is 0 (write count=4, or a step nearer to 0)"));
+    CHECK(items_read("use dot count=4 opacity-step=-0.25" + dot).find("warning") == std::string::npos);
+    CHECK(
+        items_read("use dot count=20 scale-step=0.5" + dot)
+            .ends_with("1:18 warning: with this scale-step nothing is seen of the copies from number 15 on: "
+                       "they have shrunk to nothing (write count=14, or a step nearer to 1)"));
+    CHECK(drawn("use tick count=20 scale-step=0; circle 5 5 r=2 }" + tick +
+                "\nobject p fill=red { rect 0 0 1 1")
+              .find("from number 2 on") != std::string::npos);
+}
+
+TEST_CASE("a step along the palette needs a colour that it names")
+{
+    const std::string palette = "palette { a \"#ff0000\"; b \"#00ff00\" }\n";
+    const auto warns = [&](const std::string& items) {
+        return read_on_canvas(palette + items)
+                   .findings.find("colour-step does nothing: the symbol has no "
+                                  "colour that the palette names") != std::string::npos;
+    };
+    CHECK(warns("symbol s { object o fill=white { rect 0 0 9 9 } }\nuse s count=3 colour-step=1"));
+    CHECK(warns("symbol s { object o fill=white { rect 0 0 9 9 } }\nsymbol t { use s; use s 9 9 }\n"
+                "use t count=3 colour-step=1"));
+    CHECK_FALSE(warns("symbol s { object o fill=white { rect 0 0 9 9 } }\nuse s count=3 colour-step=0"));
+    CHECK_FALSE(warns("symbol s { object o stroke=a { rect 0 0 9 9 } }\nsymbol t { group { use s } }\n"
+                      "use t count=3 colour-step=1"));
+    CHECK_FALSE(warns("symbol s { object o fill=white { rect 0 0 9 9; key 0; key 9 fill=b } }\n"
+                      "use s count=3 colour-step=1"));
+}
+
+TEST_CASE("too many colours of symbols in each other are one error")
+{
+    std::string text = "palette {";
+    for (int i = 1; i <= 200; ++i)
+        text += " c" + std::to_string(i) + " \"#" + std::to_string(100 + i) + "000\";";
+    text += " }\nsymbol a { object o fill=c1 { circle 0 0 r=5 } }\n"
+            "symbol b { use a count=200 colour-step=1 }\nsymbol c { use b count=200 colour-step=1 }\n"
+            "use c count=200 colour-step=1";
+    const std::string findings = read_on_canvas(text).findings;
+    CHECK(findings.find("a scene uses at most 255 symbols that hold items (each other time, and each step of "
+                        "colours, counts as one)") != std::string::npos);
+    CHECK(findings.find('\n') == std::string::npos);
+}
+
 TEST_CASE("what is wrong with copies is told")
 {
     CHECK(items_read("use dot x-step=1" + dot) ==
-          "1:9 error: x-step is that from one copy to the next, and there is one (add count=…)");
+          "1:9 error: x-step is that from one copy to the next, and there is only one copy (add count=…)");
     CHECK(items_read("use dot count=0" + dot)
               .starts_with("1:15 error: this number is out of range (allowed: 1 to 1000)"));
     CHECK(items_read("use dot count=3 x-step=1500" + dot) ==
-          "1:9 error: the copy with the number 3 is more than 2047 px away, or more than 64 times as large "
-          "(take smaller steps, or fewer copies)");
-    CHECK(items_read("use dot count=9 scale-step=2" + dot)
-              .starts_with("1:9 error: the copy with the number 8 is"));
+          "1:17 error: with this x-step the copy with the number 3 is more than 2047 px away "
+          "(take a smaller step, or fewer copies)");
+    CHECK(items_read("use dot count=3 x-step=1 y-step=-1500" + dot)
+              .starts_with("1:26 error: with this y-step the copy with the number 3 is"));
+    CHECK(items_read("use dot count=9 scale-step=2 x-step=3" + dot) ==
+          "1:17 error: with this scale-step the copy with the number 8 is more than 64 times as large "
+          "(take a smaller step, or fewer copies)");
+    CHECK(items_read("use dot count=3000 x-step=1" + dot).find("only one copy") == std::string::npos);
     CHECK(items_read("use dot count=1000 delay-step=900000" + dot) ==
           "1:9 error: the delay of the copy with the number 3 is more than 1000000 frames "
           "(take a smaller delay-step, or fewer copies)");

@@ -148,6 +148,9 @@ TEST_CASE("a symbol is used where its kind fits")
                      "symbol b { key 0 { empty } }") ==
           "1:32 error: the symbol \"b\" has keys, which do not fit here "
           "(let its use be all that an object without skin draws, or use one without keys)");
+    CHECK(items_read("object o fill=red { use b count=4 }\nsymbol b { key 0 { empty } }") ==
+          "1:25 error: the symbol \"b\" has keys, and there are no copies of such a drawing "
+          "(leave out count=, draw the symbol without keys, or let it hold an object)");
     // One that only uses others is what they are.
     CHECK(items_read("object o fill=red { use a }\nsymbol a { use b }\nsymbol b { use c }\nsymbol c " +
                      box) == "object o @0");

@@ -63,6 +63,15 @@ TEST_CASE("a property of objects at a shape is sent there")
     CHECK(calls(read_on_canvas("repeat 8 { }").findings, "use"));
     CHECK(calls(read_on_canvas("use s stagger=2\nsymbol s { object p fill=red { rect 0 0 1 1 } }").findings,
                 "delay-step"));
+    const auto in_use = [](const std::string& property) {
+        return read_on_canvas("use s " + property + "\nsymbol s { object p fill=red { rect 0 0 1 1 } }")
+            .findings;
+    };
+    CHECK(calls(in_use("repeat=2"), "count"));
+    CHECK(in_use("duration=2").find("(the symbol has it: symbol NAME frames=…)") != std::string::npos);
+    CHECK(calls(read("kfast 1\ncanvas 9 9 repeat=forever\n").findings, "loop"));
+    CHECK(calls(read_on_canvas("symbol s duration=9 { object p fill=red { rect 0 0 1 1 } }\nuse s").findings,
+                "frames"));
 }
 
 TEST_CASE("what there is not is said with the page that has another way")

@@ -108,8 +108,12 @@ TEST_CASE("what is wrong with a text along a path is told at its place")
           "other)");
     CHECK(along("II along=\"M 10 50 L 22 50\"")
               .find("1:6 warning: 4 pixels of this text lie beyond its path") != std::string::npos);
-    CHECK(along("II along=\"M 10 50 L 90 50\" at=\"1,2\"").find("error: text has no property \"at\"") !=
-          std::string::npos);
+    CHECK(along("II along=\"M 10 50 L 90 50\" at=\"1,2\"") ==
+          "1:33 error: along=… says where this text is, in the place of at (remove at=… or along=…)");
+    CHECK(along("II along=\"M 10 50 L 90 50\" vertical=top")
+              .starts_with("1:33 error: a text along a path stands on it, and is not moved across it"));
+    CHECK(along("II along=\"M 10 50 L 90 50\" leading=9")
+              .starts_with("1:33 error: a text along a path has one line"));
     CHECK(along("II along=\"M 10 50 L 90 50\" start=1.5").find("out of range") != std::string::npos);
 }
 
@@ -218,6 +222,17 @@ TEST_CASE("a text must stay on paper, and within the points of a drawing")
     CHECK(drawn(text(letters + 'I')) == "1:6 error: a drawing holds at most 65535 points");
     CHECK(drawn("line 1 2 3 4 5 6\n" + text(letters.substr(1))).find("error") == std::string::npos);
     CHECK(drawn("line 1 2 3 4\n" + text(letters)) == "2:6 error: a drawing holds at most 65535 points");
+}
+
+TEST_CASE("the strokes of a letter are marked as one")
+{
+    const SceneText read =
+        read_on_canvas("object o fill=red { key 0 match=letters { text \"BOB\" at=\"5,60\" "
+                       "size=30; circle 9 9 r=4 }; key 9 { empty } }");
+    CAPTURE(read.findings);
+    REQUIRE(read.scene);
+    CHECK(key_at(*read.scene).drawing.strokes.size() == 9);
+    CHECK(key_at(*read.scene).letters == std::vector<std::size_t>{0, 3, 5, 8});
 }
 
 }
