@@ -104,6 +104,8 @@ std::int32_t ticks_within(double time, std::int32_t length) { return std::min(on
 
 }
 
+std::int32_t length_of(const art::Symbol& symbol) { return std::max(on_grid(symbol.frames, times), 1); }
+
 std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length)
 {
     std::vector<StoredKey<bool>> keys{{0, false}};

@@ -94,6 +94,9 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
 std::vector<StoredKey<std::int32_t>> stored_keys(const art::Channel& channel, std::int32_t length,
                                                  const Grid& grid);
 
+/// In ticks; at least one.
+std::int32_t length_of(const art::Symbol& symbol);
+
 /// When a node is visible, in a scene that is `length` ticks long: begins at 0.
 std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length);
 

@@ -85,12 +85,15 @@ struct Writing {
     {
     }
 
-    std::int32_t length; ///< ticks
+    std::int32_t length; ///< of the scene, or of the symbol that is being written, in ticks
     art::Losses& losses;
     art::Budget& budget;
     Colours colours;
     Names object_names = {};
     std::vector<RigNames> rigs = {};
+    Names symbol_names = {};
+    std::vector<std::string> symbols =
+        {}; ///< the names of those of the document; of those without uses, empty
 };
 
 }
