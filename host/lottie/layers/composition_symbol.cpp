@@ -40,8 +40,7 @@ const CompositionSymbol& added(CompositionSymbol symbol, const std::string& name
                                Animation& animation)
 {
     if (auto nodes = read_nodes(symbol, reading, animation); nodes && !reading.symbols->is_full()) {
-        const Box box =
-            box_in(*nodes, {0, symbol.frames}, reading.symbols->boxes, reading.budget);
+        const Box box = box_in(*nodes, {0, symbol.frames}, reading.symbols->boxes, reading.budget);
         symbol.index = reading.symbols->add({name, symbol.frames, symbol.loop, std::move(*nodes)}, box);
     }
     animation.composition_symbols.push_back(symbol);
@@ -56,7 +55,8 @@ std::string symbol_name(const Layer& layer)
 
 /// The use that shows by an even time what is seen of the layer; nothing if the symbol is another part of the
 /// composition, or cannot be that fast.
-std::optional<art::Use> even_use(const CompositionSymbol& symbol, const LayerTime& even, const art::Span& seen)
+std::optional<art::Use> even_use(const CompositionSymbol& symbol, const LayerTime& even,
+                                 const art::Span& seen)
 {
     const double exact = symbol.stretch / even.stretch;
     const double speed = std::round(exact * speed_steps) / speed_steps;
@@ -64,8 +64,8 @@ std::optional<art::Use> even_use(const CompositionSymbol& symbol, const LayerTim
     const auto time_at = [&](double frame) { return (frame - begin) * exact; };
     const auto [low, high] = std::minmax({time_at(seen.from), time_at(seen.to)});
     const double late = std::max(std::abs(low), std::abs(high)) * std::abs(speed / exact - 1);
-    if (speed == 0 || std::abs(speed) > max_speed || low < -by_rounding || high > symbol.frames + by_rounding ||
-        late > finest)
+    if (speed == 0 || std::abs(speed) > max_speed || low < -by_rounding ||
+        high > symbol.frames + by_rounding || late > finest)
         return std::nullopt;
     const double delay = speed > 0 ? begin : begin + symbol.frames / exact;
     return art::Use{.symbol = symbol.index.value_or(0), .delay = delay, .speed = speed};
@@ -112,8 +112,8 @@ public:
         }
         if (tried == most)
             return std::nullopt;
-        const CompositionSymbol symbol = added(even_symbol(layers_, even_, layer_, animation_),
-                                               symbol_name(layer_), reading_, animation_);
+        const CompositionSymbol symbol =
+            added(even_symbol(layers_, even_, layer_, animation_), symbol_name(layer_), reading_, animation_);
         const auto use = even_use(symbol, even_, layer_.seen);
         return symbol.index && use ? std::optional{used(*use)} : std::nullopt;
     }
@@ -155,7 +155,8 @@ std::optional<art::Use> use_looped(const Layer& layer, const Json& layers, const
                                    .index = {}};
     const auto is_wanted = [&](const CompositionSymbol& symbol) {
         return symbol.layers == wanted.layers && symbol.first == wanted.first &&
-               symbol.stretch == wanted.stretch && symbol.frames == wanted.frames && symbol.loop == wanted.loop;
+               symbol.stretch == wanted.stretch && symbol.frames == wanted.frames &&
+               symbol.loop == wanted.loop;
     };
     const auto known = std::ranges::find_if(animation.composition_symbols, is_wanted);
     const CompositionSymbol symbol = known != animation.composition_symbols.end()

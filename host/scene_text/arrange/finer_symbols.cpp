@@ -83,8 +83,8 @@ void centre_uses(std::vector<Node>& nodes, const Arranging& arranging)
     every_use(nodes, 1, [&](Node& node, const art::Use& use, double) {
         art::Transform& transform = node.transform;
         const art::Extent& extent = arranging.symbols[use.symbol].extent;
-        const bool only_moves = transform.scale_x == art::Channel{1} && transform.scale_y == art::Channel{1} &&
-                                transform.rotate == art::Channel{0};
+        const bool only_moves = transform.scale_x == art::Channel{1} &&
+                                transform.scale_y == art::Channel{1} && transform.rotate == art::Channel{0};
         if (use.copies.count > 1 || !is_still(transform) || only_moves || extent.empty())
             return;
         const scene::Vec2 middle{(extent.x.low + extent.x.high) / 2, (extent.y.low + extent.y.high) / 2};

@@ -306,12 +306,12 @@ kdl::Node use_node(const art::Node& node, const Writing& writing)
 {
     const auto& use = std::get<art::Use>(node.content);
     kdl::Node item = named_node("use", text(writing.symbols[use.symbol]));
+    add_transform(item, node.transform, node.opacity, {}, writing);
     if (const std::int32_t delay = on_grid(use.delay, signed_times); delay != 0)
         set(item, "delay", number(delay, signed_times));
     if (const std::int32_t speed = on_grid(use.speed, speeds); speed != on_grid(1, speeds))
         set(item, "speed", number(speed, speeds));
     add_copies(item, use.copies);
-    add_transform(item, node.transform, node.opacity, {}, writing);
     add_visibility(item, node, writing);
     return item;
 }

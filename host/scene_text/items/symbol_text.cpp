@@ -53,8 +53,9 @@ void name_symbols(const art::Document& document, Writing& writing)
 {
     const UsedSymbols used{document};
     for (std::size_t i = 0; i < document.symbols.size(); ++i)
-        writing.symbols.push_back(
-            used.contain(i) ? writing.symbol_names.unique(document.symbols[i].name, "symbol") : std::string{});
+        writing.symbols.push_back(used.contain(i)
+                                      ? writing.symbol_names.unique(document.symbols[i].name, "symbol")
+                                      : std::string{});
 }
 
 std::vector<kdl::Node> symbol_nodes(const art::Document& document, Writing& writing)

@@ -9,7 +9,8 @@ using namespace kfast::lottie;
 
 namespace {
 
-const std::string turning_box = R"({"ty": 1, "nm": "box", "sw": 20, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60,
+const std::string turning_box =
+    R"({"ty": 1, "nm": "box", "sw": 20, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60,
     "ks": {"r": {"k": [{"t": 0, "s": 0}, {"t": 30, "s": 90}]}}})";
 
 std::string comp(const std::string& more)
@@ -59,8 +60,8 @@ void check_copies(const std::vector<art::Node>& nodes, const std::string& repeat
     const art::Copies& copies = use_of(nodes.at(0)).copies;
     REQUIRE(groups.size() == static_cast<std::size_t>(copies.count));
     for (int i = 0; i < copies.count; ++i) {
-        const art::Affine copy = matrix_at(nodes[0].transform, 0) * matrix_of(copies, i) *
-                                 matrix_at(content.transform, 0);
+        const art::Affine copy =
+            matrix_at(nodes[0].transform, 0) * matrix_of(copies, i) * matrix_at(content.transform, 0);
         const art::Affine group = matrix_at(groups[static_cast<std::size_t>(i)].transform, 0);
         const scene::Vec2 spot{30, -20};
         CHECK(distance(copy.of(spot), group.of(spot)) < 1e-9);
@@ -113,8 +114,9 @@ TEST_CASE("other loops are written out")
 {
     CHECK(read(remapped(back, "loopOut('cycle')")).symbols.empty());
     CHECK(read(remapped(second, "loopIn('cycle')")).symbols.empty());
-    CHECK(read(remapped(R"({"t": 0, "s": [0]}, {"t": 10, "s": [1]}, {"t": 20, "s": [0]})", "loopOut('cycle')"))
-              .symbols.empty());
+    CHECK(
+        read(remapped(R"({"t": 0, "s": [0]}, {"t": 10, "s": [1]}, {"t": 20, "s": [0]})", "loopOut('cycle')"))
+            .symbols.empty());
     CHECK(read(remapped(R"({"t": 0, "s": [0], "o": {"x": [0.5], "y": [0]}, "i": {"x": [0.5], "y": [1]}},
                            {"t": 10, "s": [1]})",
                         "loopOut('cycle')"))
@@ -130,21 +132,24 @@ TEST_CASE("a layer that cuts its composition has it written out")
     const art::Document document =
         read(comp(R"("ip": 0, "op": 60)") + "," + comp(R"("ip": 0, "op": 60)" + mask));
     CHECK(document.symbols.size() == 1);
-    CHECK(std::holds_alternative<art::Shape>(group_of(group_of(document.nodes[0]).nodes.at(0)).nodes.at(0).content));
+    CHECK(std::holds_alternative<art::Shape>(
+        group_of(group_of(document.nodes[0]).nodes.at(0)).nodes.at(0).content));
     CHECK(use_in(document.nodes[1]) == art::Use{});
 }
 
 TEST_CASE("a composition that is seen beyond its edges is written out")
 {
     const std::string aside = R"("ip": 0, "op": 60, "ks": {"p": {"k": [-20, 0]}})";
-    const std::string wide = R"({"ty": 1, "nm": "box", "sw": 200, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60})";
+    const std::string wide =
+        R"({"ty": 1, "nm": "box", "sw": 200, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60})";
     const art::Document document = read(comp(aside) + "," + comp(aside), wide);
     CHECK(std::holds_alternative<art::Group>(group_of(document.nodes.at(0)).nodes.at(0).content));
 }
 
 TEST_CASE("a composition with mattes is written out, as these depend on where it is")
 {
-    const std::string matted = R"({"ty": 1, "nm": "matte", "td": 1, "sw": 90, "sh": 90, "sc": "#ffffff", "ip": 0,
+    const std::string matted =
+        R"({"ty": 1, "nm": "matte", "td": 1, "sw": 90, "sh": 90, "sc": "#ffffff", "ip": 0,
         "op": 60}, {"ty": 1, "nm": "box", "tt": 1, "sw": 20, "sh": 10, "sc": "#ff8000", "ip": 0, "op": 60})";
     CHECK(read(comp(R"("ip": 0, "op": 60)") + "," + comp(R"("ip": 0, "op": 60)"), matted).symbols.empty());
 }
@@ -184,7 +189,8 @@ TEST_CASE("copies that are no even steps are groups")
 
 TEST_CASE("copies that a later modifier changes are groups")
 {
-    const std::string layer = R"({"ty": 4, "nm": "dots", "ip": 0, "op": 60, "shapes": [{"ty": "el", "p": {"k": [5, 0]},
+    const std::string layer =
+        R"({"ty": 4, "nm": "dots", "ip": 0, "op": 60, "shapes": [{"ty": "el", "p": {"k": [5, 0]},
         "s": {"k": [4, 4]}}, {"ty": "st", "c": {"k": [1, 0, 0]}, "w": {"k": 1}},
         {"ty": "rp", "c": {"k": 5}, "tr": {"p": {"k": [12, 3]}}}, {"ty": "tm", "s": {"k": 0}, "e": {"k": 50}, "m": 2}]})";
     CHECK(read_whole(animation_text(layer)).symbols.empty());
@@ -192,7 +198,8 @@ TEST_CASE("copies that a later modifier changes are groups")
 
 TEST_CASE("repeaters of repeaters are copies of copies")
 {
-    const std::string step = R"("c": {"k": 3}, "tr": {"p": {"k": [12, 3]}}}, {"ty": "rp", "c": {"k": 4}, "tr": {"p": {"k": [0, 9]}})";
+    const std::string step =
+        R"("c": {"k": 3}, "tr": {"p": {"k": [12, 3]}}}, {"ty": "rp", "c": {"k": 4}, "tr": {"p": {"k": [0, 9]}})";
     const art::Document document = read_whole(animation_text(shapes(step)));
     REQUIRE(document.symbols.size() == 2);
     CHECK(use_of(group_of(document.nodes.at(0)).nodes.at(0)).copies.count == 4);
