@@ -17,7 +17,6 @@
 #include "host/scene_text/values/grid.hpp"
 #include "host/scene_text/values/nodes.hpp"
 #include "host/scene_text/values/writing.hpp"
-#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -155,7 +154,7 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
         set(canvas, "fps", number(on_grid(document.frame_rate, frame_rates), frame_rates));
     set(canvas, "frames", number(writing.length, times));
     if (document.loop != Loop::repeat)
-        set(canvas, "loop", text(std::string{loop_name(document.loop)}));
+        set(canvas, "loop", loop_word(document.loop));
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));
@@ -190,6 +189,7 @@ SceneText scene_text(const Document& document, std::string_view origin, double t
     Writing writing{length, losses, budget};
     writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
+    end_symbols(arranged);
     name_symbols(arranged, writing);
     std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
     std::vector<kdl::Node> symbols = symbol_nodes(arranged, writing);

@@ -4,7 +4,7 @@
 #include "host/art/document/document.hpp"
 #include "host/art/geometry/affine.hpp"
 #include "host/art/losses.hpp"
-#include "host/lottie/layers/symbol_table.hpp"
+#include "host/lottie/drawings/symbol_table.hpp"
 #include "host/lottie/shapes/shapes.hpp"
 #include "host/lottie/values/json.hpp"
 

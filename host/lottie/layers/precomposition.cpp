@@ -236,7 +236,8 @@ std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animat
     const Opened opened{layer, animation};
     const Json& layers = opened.layers();
     const Reading inside = inner_reading(layer, {});
-    if (const auto looped = looped_time(layer.json, layer.reading, layer.seen, animation.frame_rate))
+    if (const auto looped = looped_time(layer.json, layer.reading.time, layer.seen, animation.frame_rate,
+                                        layer.reading.budget))
         if (auto node = within_edges(use_looped(layer, layers, *looped, inside, animation), layer, animation))
             return {std::move(*node)};
     const InnerTime time = inner_time(layer, animation);

@@ -1,5 +1,5 @@
 #include "host/lottie/drawings/carried.hpp"
-#include "host/lottie/layers/symbol_table.hpp"
+#include "host/lottie/drawings/symbol_table.hpp"
 #include "host/lottie/shapes/shapes.hpp"
 #include "host/lottie/shapes/transform.hpp"
 

@@ -34,19 +34,19 @@ bool keeps_pace(double period, const art::Span& seen)
 
 }
 
-std::optional<LoopedTime> looped_time(const Json& layer, const Reading& reading, const art::Span& seen,
-                                      double frame_rate)
+std::optional<LoopedTime> looped_time(const Json& layer, const LayerTime& outer, const art::Span& seen,
+                                      double frame_rate, art::Budget& budget)
 {
     const Property frame = read_property(layer, "tm"); // counts seconds
     if (!frame.loop)
         return std::nullopt;
     const auto value_of = [&](const Json& value) { return component(value, 0, 0) * frame_rate; };
-    reading.budget.take_keys(frame.keys.size());
+    budget.take_keys(frame.keys.size());
     Ways ways = read_ways<double>(frame.keys, 0, value_of);
-    place_in_scene(ways, reading.time);
+    place_in_scene(ways, outer);
     if (ways.size() < 3)
         return std::nullopt;
-    const bool is_out = frame.loop->is_out == (reading.time.stretch > 0);
+    const bool is_out = frame.loop->is_out == (outer.stretch > 0);
     const Ways once = repeated_ways(ways, frame.loop->segments, is_out);
     LoopedTime time{.from = once.front().from,
                     .period = once.back().to - once.front().from,

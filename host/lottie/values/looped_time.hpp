@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/time/time.hpp"
 #include "host/art/document/document.hpp"
-#include "host/lottie/shapes/shapes.hpp"
+#include "host/lottie/values/channel.hpp"
 #include "host/lottie/values/json.hpp"
 
 #include <optional>
@@ -18,8 +17,9 @@ struct LoopedTime {
     Loop loop = Loop::repeat;
 };
 
-/// That of a layer which is seen for more than one pass; nothing if it has another, or none.
-std::optional<LoopedTime> looped_time(const Json& layer, const Reading& reading, const art::Span& seen,
-                                      double frame_rate);
+/// That of a layer which is seen for more than one pass; nothing if it has another, or none. `outer` is the
+/// time around the layer.
+std::optional<LoopedTime> looped_time(const Json& layer, const LayerTime& outer, const art::Span& seen,
+                                      double frame_rate, art::Budget& budget);
 
 }

@@ -2,38 +2,34 @@
 
 #include "host/scene_text/items/item_text.hpp"
 #include "host/scene_text/values/nodes.hpp"
-#include "host/words/scene_words.hpp"
 
 #include <utility>
 
 namespace kfast::scene_text {
 namespace {
 
-class UsedSymbols {
-public:
-    explicit UsedSymbols(const art::Document& document) : used_(document.symbols.size())
-    {
-        look_at(document.nodes);
-        // Each comes after those that it uses.
-        for (std::size_t i = used_.size(); i-- > 0;)
-            if (used_[i])
-                look_at(document.symbols[i].nodes);
-    }
+/// Calls visit(symbol) for each use in nodes.
+template <typename Visit>
+void every_use(const std::vector<art::Node>& nodes, const Visit& visit)
+{
+    for (const art::Node& node : nodes)
+        if (const auto* const group = std::get_if<art::Group>(&node.content))
+            every_use(group->nodes, visit);
+        else if (const auto* const use = std::get_if<art::Use>(&node.content))
+            visit(use->symbol);
+}
 
-    bool contain(std::size_t index) const { return used_[index]; }
-
-private:
-    void look_at(const std::vector<art::Node>& nodes)
-    {
-        for (const art::Node& node : nodes)
-            if (const auto* const group = std::get_if<art::Group>(&node.content))
-                look_at(group->nodes);
-            else if (const auto* const use = std::get_if<art::Use>(&node.content))
-                used_[use->symbol] = true;
-    }
-
-    std::vector<bool> used_;
-};
+std::vector<bool> used_symbols(const art::Document& document)
+{
+    std::vector<bool> used(document.symbols.size());
+    const auto take = [&used](std::size_t symbol) { used[symbol] = true; };
+    every_use(document.nodes, take);
+    // Each comes after those that it uses.
+    for (std::size_t i = used.size(); i-- > 0;)
+        if (used[i])
+            every_use(document.symbols[i].nodes, take);
+    return used;
+}
 
 kdl::Node symbol_node(const art::Symbol& symbol, const std::string& name, Writing& writing)
 {
@@ -41,7 +37,7 @@ kdl::Node symbol_node(const art::Symbol& symbol, const std::string& name, Writin
     if (symbol.loop) {
         set(node, "frames", number(writing.length, times));
         if (*symbol.loop != Loop::repeat)
-            set(node, "loop", text(std::string{loop_name(*symbol.loop)}));
+            set(node, "loop", loop_word(*symbol.loop));
     }
     node.children = item_nodes(symbol.nodes, writing);
     return node;
@@ -49,13 +45,26 @@ kdl::Node symbol_node(const art::Symbol& symbol, const std::string& name, Writin
 
 }
 
+void end_symbols(art::Document& document)
+{
+    for (std::size_t i = document.symbols.size(); i-- > 0;) {
+        art::Symbol& symbol = document.symbols[i];
+        if (!symbol.loop && symbol.frames > document.frames)
+            symbol.loop = Loop::once;
+        if (symbol.loop)
+            every_use(symbol.nodes, [&](std::size_t inner) {
+                if (!document.symbols[inner].loop)
+                    document.symbols[inner].loop = Loop::once;
+            });
+    }
+}
+
 void name_symbols(const art::Document& document, Writing& writing)
 {
-    const UsedSymbols used{document};
+    const std::vector<bool> used = used_symbols(document);
     for (std::size_t i = 0; i < document.symbols.size(); ++i)
-        writing.symbols.push_back(used.contain(i)
-                                      ? writing.symbol_names.unique(document.symbols[i].name, "symbol")
-                                      : std::string{});
+        writing.symbols.push_back(used[i] ? writing.symbol_names.unique(document.symbols[i].name, "symbol")
+                                          : std::string{});
 }
 
 std::vector<kdl::Node> symbol_nodes(const art::Document& document, Writing& writing)

@@ -8,6 +8,10 @@
 
 namespace kfast::scene_text {
 
+/// Gives an end to symbols that go on for longer than what is around them: keys that they have then would be
+/// beyond it.
+void end_symbols(art::Document& document);
+
 /// Names the symbols that the document uses, also through others. Before item_nodes().
 void name_symbols(const art::Document& document, Writing& writing);
 

@@ -22,6 +22,9 @@ namespace kfast::scene_text {
 /// of it.
 std::string clean_name(std::string_view name, std::string_view default_value);
 
+/// What happens at the end of a scene or a symbol.
+kdl::Value loop_word(Loop loop);
+
 /// Names that are all different.
 class Names {
 public:

@@ -95,9 +95,9 @@ group around pivot-x=40 pivot-y=40 {
 
 TEST_CASE("what is used in large is drawn larger, by a power of two, and shrunk about its middle")
 {
-    const std::string text = with_symbols(
-        {symbol("box", {red_box("box")})},
-        {node("a", Use{.symbol = 0}), node("b", Use{.symbol = 0}, grown(3))});
+    const std::string text =
+        with_symbols({symbol("box", {red_box("box")})},
+                     {node("a", Use{.symbol = 0}), node("b", Use{.symbol = 0}, grown(3))});
     CHECK(text.find("rect 40 40 80 80") != std::string::npos);
     CHECK(text.find("use box x=-60 y=-60 pivot-x=80 pivot-y=80 scale=0.25") != std::string::npos);
 }
