@@ -2,7 +2,6 @@
 
 #include "host/art/document/document.hpp"
 #include "host/kdl/document.hpp"
-#include "host/program/failure.hpp"
 #include "host/scene_text/bones/rig_text.hpp"
 #include "host/scene_text/drawings/drawing_nodes.hpp"
 #include "host/scene_text/drawings/stored_drawings.hpp"
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -292,8 +290,8 @@ void add_copies(kdl::Node& item, const art::Copies& copies)
 {
     if (copies.count == 1)
         return;
-    if (std::max(std::abs(copies.x), std::abs(copies.y)) > coordinates.high)
-        throw Failure("copies of a repeater are at most 2047 pixels from each other");
+    check_step(copies.x);
+    check_step(copies.y);
     set(item, "count", number(static_cast<std::size_t>(copies.count)));
     const auto add = [&item](std::string_view name, double step, double ordinary) {
         if (const kdl::Value value = exact(step); step != ordinary)

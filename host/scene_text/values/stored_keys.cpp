@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 namespace kfast::scene_text {
@@ -78,6 +79,12 @@ void check_count(std::size_t keys)
     if (keys > scene::max_keys)
         throw Failure("something has more than " + std::to_string(scene::max_keys) +
                       " keys, the most in a scene; leave out some, or allow a larger --tolerance");
+}
+
+void check_step(double pixels)
+{
+    if (std::abs(pixels) > coordinates.high)
+        throw Failure("copies of something are more than 2047 pixels from each other; draw it smaller");
 }
 
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length)

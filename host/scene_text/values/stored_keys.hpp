@@ -32,6 +32,9 @@ void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length);
 /// Throws Failure if there are more keys than an item has.
 void check_count(std::size_t keys);
 
+/// Throws Failure if a coordinate cannot be that many pixels beside another one, as copies are.
+void check_step(double pixels);
+
 /// The parts of an ease of which each is a law of scenes; mostly the ease itself.
 std::vector<art::EasePart> law_parts(const art::Ease& ease);
 
