@@ -80,6 +80,7 @@ void draw_symbols_larger(art::Document& document)
 
 void centre_uses(std::vector<Node>& nodes, const Arranging& arranging)
 {
+    constexpr double far = 256; // px: there a scale that is rounded to 1/4096 is off by 1/32 px
     every_use(nodes, 1, [&](Node& node, const art::Use& use, double) {
         art::Transform& transform = node.transform;
         const art::Extent& extent = arranging.symbols[use.symbol].extent;
@@ -88,6 +89,8 @@ void centre_uses(std::vector<Node>& nodes, const Arranging& arranging)
         if (use.copies.count > 1 || !is_still(transform) || only_moves || extent.empty())
             return;
         const scene::Vec2 middle{(extent.x.low + extent.x.high) / 2, (extent.y.low + extent.y.high) / 2};
+        if (std::hypot(middle.x, middle.y) < far)
+            return;
         const scene::Vec2 place = matrix_at(transform, 0).of(middle);
         transform.anchor_x = {middle.x};
         transform.anchor_y = {middle.y};

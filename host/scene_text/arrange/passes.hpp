@@ -26,8 +26,8 @@ void drop_unseen(std::vector<art::Node>& nodes, const Arranging& arranging);
 /// Draws symbols larger that are used in large, and scales their uses down: so fine are their coordinates.
 void draw_symbols_larger(art::Document& document);
 
-/// Lets uses that stand still grow and turn about the middle of what they draw: what is far from there shows
-/// how scales and rotations are rounded.
+/// Lets uses that stand still grow and turn about the middle of what they draw, if that is far from their (0,
+/// 0): there one sees how scales and rotations are rounded.
 void centre_uses(std::vector<art::Node>& nodes, const Arranging& arranging);
 
 /// Makes neighbours that are written as one group in several parts one group.

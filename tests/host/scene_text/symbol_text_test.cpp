@@ -93,13 +93,20 @@ group around pivot-x=40 pivot-y=40 {
 )");
 }
 
-TEST_CASE("what is used in large is drawn larger, by a power of two, and shrunk about its middle")
+TEST_CASE("what is used in large is drawn larger, by a power of two, and shrunk where it is used")
 {
     const std::string text =
         with_symbols({symbol("box", {red_box("box")})},
                      {node("a", Use{.symbol = 0}), node("b", Use{.symbol = 0}, grown(3))});
     CHECK(text.find("rect 40 40 80 80") != std::string::npos);
-    CHECK(text.find("use box x=-60 y=-60 pivot-x=80 pivot-y=80 scale=0.25") != std::string::npos);
+    CHECK(text.find("use box scale=0.25\nuse box scale=0.75\n") != std::string::npos);
+}
+
+TEST_CASE("what is far away is shrunk about its middle")
+{
+    const std::string text = with_symbols({symbol("box", {node("box", filled(box(400, 10, 20, 20)))})},
+                                          {node("a", Use{.symbol = 0}, grown(0.9))});
+    CHECK(text.find("use box x=-41 y=-2 pivot-x=410 pivot-y=20 scale=0.9\n") != std::string::npos);
 }
 
 }
