@@ -28,6 +28,8 @@ public:
             add_keys(node.opacity);
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 add_group(*group);
+            else if (std::holds_alternative<art::Use>(node.content))
+                ++extent_.groups;
             else
                 add(std::get<art::Shape>(node.content));
         }
@@ -87,6 +89,8 @@ Extent extent_of(const art::Document& document)
 {
     Count count;
     count.add(document.nodes);
+    for (const art::Symbol& symbol : document.symbols)
+        count.add(symbol.nodes);
     for (const art::Rig& rig : document.rigs)
         count.add(rig);
     return count.extent();

@@ -13,7 +13,7 @@ namespace kfast::importing {
 /// The quantities of an animation that make a scene large.
 struct Extent {
     std::size_t figures = 0;
-    std::size_t groups = 0;
+    std::size_t groups = 0; ///< and uses of symbols
     std::size_t keys = 0;   ///< of all that changes
     std::size_t points = 0; ///< in all keys of drawings, as the scene language counts them
 };

@@ -23,6 +23,12 @@ namespace {
 constexpr const char* known_files =
     "kfast imports Lottie (.json, .lottie), SVG (.svg, .svgz) and Synfig (.sif, .sifz)";
 
+/// A text was made that does not compile, whatever the file holds.
+class Mistake : public Failure {
+public:
+    using Failure::Failure;
+};
+
 [[noreturn]] void refuse(const std::string& name, const std::string& reason)
 {
     throw Failure(name + ": " + reason);
@@ -71,17 +77,19 @@ void apply(const Playing& playing, art::Document& document)
         document.background = playing.background;
 }
 
-art::Document read_zip(const SourceText& source, const Options& options, art::Losses& losses)
+art::Document read_zip(const SourceText& source, const Options& options, lottie::Repeated repeated,
+                       art::Losses& losses)
 {
     const archive::ZipFile file{source.name, source.text};
     PackedAnimation animation =
         read_dot_lottie(source.name, file, options.animation, max_unpacked_bytes, losses);
-    art::Document document = lottie::read_lottie({source.name, std::move(animation.text)}, losses);
+    art::Document document = lottie::read_lottie({source.name, std::move(animation.text)}, losses, repeated);
     apply(animation.playing, document);
     return document;
 }
 
-art::Document read(const SourceText& source, const Options& options, art::Losses& losses, Notes& notes)
+art::Document read(const SourceText& source, const Options& options, lottie::Repeated repeated,
+                   art::Losses& losses, Notes& notes)
 {
     const auto kind = kind_of(source.text);
     if (kind != ContentKind::zip && !options.animation.empty())
@@ -92,11 +100,11 @@ art::Document read(const SourceText& source, const Options& options, art::Losses
         refuse(source.name, "--fps, --law, --end and --layers are for key drawings of SVG, and this is none");
     switch (*kind) {
     case ContentKind::json:
-        return lottie::read_lottie(source, losses);
+        return lottie::read_lottie(source, losses, repeated);
     case ContentKind::xml:
         return read_xml(source, options, losses, notes);
     case ContentKind::zip:
-        return read_zip(source, options, losses);
+        return read_zip(source, options, repeated, losses);
     case ContentKind::gzip:
         refuse(source.name, "is packed twice: unpack it once");
     case ContentKind::utf_16:
@@ -112,7 +120,7 @@ bool names_limit(std::string_view message)
         return message.find(words) != std::string_view::npos;
     };
     return has("holds") || has("at most") || has("longer than a second") || has("than a player reads") ||
-           has("the compiler takes");
+           has("the compiler takes") || has("px away, or more than");
 }
 
 /// Reports on a text that the user does not see: either a limit of scenes is exceeded, or kfast is wrong.
@@ -123,8 +131,8 @@ bool names_limit(std::string_view message)
     const std::string message = found.message + " (" + line + ')';
     if (names_limit(found.message))
         refuse(name, "more than a scene can be: " + message + (found.hint.empty() ? "" : "; ") + found.hint);
-    refuse(name, "no scene can be made of it: " + message +
-                     "; this is a mistake in kfast: please report it, with the file");
+    throw Mistake(name + ": no scene can be made of it: " + message +
+                  "; this is a mistake in kfast: please report it, with the file");
 }
 
 /// The overall progress when it is read, and when its text is written: compiling takes longest.
@@ -213,18 +221,90 @@ Imported made_of(const art::Document& document, const std::string& name, const O
     return imported;
 }
 
+/// What is known of a file once it is read.
+struct ReadFile {
+    art::Document document;
+    art::Losses losses;
+    Notes notes;
+};
+
+ReadFile read_file(const SourceText& source, const Options& options, lottie::Repeated repeated)
+{
+    ReadFile file;
+    file.document = read(source, options, repeated, file.losses, file.notes);
+    if (options.background)
+        put_behind(file.document, *options.background);
+    return file;
+}
+
+Imported made_of(const ReadFile& file, const std::string& name, const Options& options)
+{
+    Imported imported = made_of(file.document, name, options, file.losses);
+    imported.notes = file.notes;
+    return imported;
+}
+
+/// Halves of the progress, for what is made in two ways.
+Options first_half(Options options)
+{
+    options.on_progress = [whole = options.on_progress](std::size_t done, std::size_t total) {
+        whole(done, 2 * total);
+    };
+    return options;
+}
+
+Options second_half(Options options)
+{
+    options.on_progress = [whole = options.on_progress](std::size_t done, std::size_t total) {
+        whole(total + done, 2 * total);
+    };
+    return options;
+}
+
+/// What `make` returns; nothing where it throws Failure, unless that is a mistake.
+template <typename Make>
+auto attempted(const Make& make) -> std::optional<decltype(make())>
+{
+    try {
+        return make();
+    } catch (const Mistake&) {
+        throw;
+    } catch (const Failure&) {
+        return std::nullopt;
+    }
+}
+
+/// A scene that holds what is repeated as symbols, or, where that is smaller or the only one within all
+/// limits, written out.
+Imported smaller_of(const std::optional<ReadFile>& with_symbols, const SourceText& source,
+                    const Options& options)
+{
+    std::optional<Imported> symbols;
+    if (with_symbols)
+        symbols = attempted([&] { return made_of(*with_symbols, source.name, first_half(options)); });
+    const auto write_out = [&] {
+        return made_of(read_file(source, options, lottie::Repeated::written_out), source.name,
+                       second_half(options));
+    };
+    if (!symbols)
+        return write_out();
+    auto copies = attempted(write_out);
+    const bool is_smaller = copies && copies->compiled.bytes.size() < symbols->compiled.bytes.size();
+    return std::move(is_smaller ? *copies : *symbols);
+}
+
 }
 
 Imported import_scene(const std::string& name, std::string content, const Options& options)
 {
-    art::Losses losses;
-    Notes notes;
-    art::Document document = read({name, unpacked(name, std::move(content))}, options, losses, notes);
-    if (options.background)
-        put_behind(document, *options.background);
-    Imported imported = made_of(document, name, options, losses);
-    imported.notes = std::move(notes);
-    return imported;
+    const SourceText source{name, unpacked(name, std::move(content))};
+    const auto kind = kind_of(source.text);
+    if (kind != ContentKind::json && kind != ContentKind::zip)
+        return made_of(read_file(source, options, lottie::Repeated::written_out), name, options);
+    const auto file = attempted([&] { return read_file(source, options, lottie::Repeated::as_symbols); });
+    if (file && file->document.symbols.empty())
+        return made_of(*file, name, options);
+    return smaller_of(file, source, options);
 }
 
 Imported import_key_drawings(std::vector<SourceText> drawings, std::span<const double> times,

@@ -40,6 +40,8 @@ std::optional<art::Rgb> background_of(const art::Node& node, const art::Document
     if (!is_plain(node))
         return std::nullopt;
     const art::Affine inner = matrix * matrix_at(node.transform, 0);
+    if (std::holds_alternative<art::Use>(node.content))
+        return std::nullopt;
     if (const auto* group = std::get_if<art::Group>(&node.content))
         return group->nodes.size() == 1 ? background_of(group->nodes.front(), document, inner) : std::nullopt;
     const auto& shape = std::get<art::Shape>(node.content);
@@ -154,6 +156,30 @@ void read_assets(Animation& animation)
     }
 }
 
+/// The composition that a layer names; null for others. What is wrong with it is found when it is read.
+const Json* composition_of(const Json& layer, Animation& animation)
+{
+    const Json* const id = find_member(layer, "refId");
+    if (!id || !(id->is_string() || id->is_number()))
+        return nullptr;
+    const auto asset = animation.assets.find(identifier_at(layer, "refId"));
+    return asset == animation.assets.end() ? nullptr : find_member(*asset->second, "layers");
+}
+
+/// Counts the layers that show each composition, those of a composition once.
+void count_uses(Animation& animation)
+{
+    std::vector<const Json*> found{find_member(animation.root, "layers")};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!found[i]->is_array())
+            continue;
+        for (const Json& layer : *found[i])
+            if (const Json* const layers = composition_of(layer, animation); layers)
+                if (++animation.uses[layers] == 1)
+                    found.push_back(layers);
+    }
+}
+
 std::vector<art::Marker> read_markers(const Animation& animation)
 {
     std::vector<art::Marker> markers;
@@ -165,19 +191,26 @@ std::vector<art::Marker> read_markers(const Animation& animation)
     return markers;
 }
 
-art::Document read_document(const Json& root, art::Losses& losses)
+art::Document read_document(const Json& root, art::Losses& losses, Repeated repeated)
 {
     Animation animation = begin(root, losses);
     read_assets(animation);
+    count_uses(animation);
     art::Document document;
     document.width = animation.width;
     document.height = animation.height;
     document.frame_rate = animation.frame_rate;
     document.frames = std::max(1.0, animation.frames);
     document.camera = read_camera(animation);
-    const Reading reading{animation.budget, losses, {.start = -animation.first}, "", 0};
+    const Reading reading{animation.budget,
+                          losses,
+                          {.start = -animation.first},
+                          "",
+                          0,
+                          repeated == Repeated::as_symbols ? &animation.symbols : nullptr};
     document.nodes =
         read_composition({array_at(root, "layers"), nullptr, {0, document.frames}}, animation, reading);
+    document.symbols = std::move(animation.symbols.list);
     document.markers = read_markers(animation);
     lift_background(document);
     return document;
@@ -185,11 +218,11 @@ art::Document read_document(const Json& root, art::Losses& losses)
 
 }
 
-art::Document read_lottie(const SourceText& source, art::Losses& losses)
+art::Document read_lottie(const SourceText& source, art::Losses& losses, Repeated repeated)
 {
     const Json root = parse_json(source);
     try {
-        return read_document(root, losses);
+        return read_document(root, losses, repeated);
     } catch (const WrongMember& wrong) {
         const std::string path = path_to(root, wrong.place());
         throw Failure(source.name + ": " + (path.empty() ? "" : path + ": ") + wrong.what());

@@ -13,10 +13,10 @@
 #include "host/scene_text/bones/rig_text.hpp"
 #include "host/scene_text/drawings/drawing_nodes.hpp"
 #include "host/scene_text/items/item_text.hpp"
+#include "host/scene_text/items/symbol_text.hpp"
 #include "host/scene_text/values/grid.hpp"
 #include "host/scene_text/values/nodes.hpp"
 #include "host/scene_text/values/writing.hpp"
-#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,8 @@ bool has_depth(const std::vector<art::Node>& nodes)
 /// the document, what rotates in space gets the largest distance, so that there is hardly any perspective.
 std::optional<std::size_t> camera_of(const art::Document& document)
 {
-    if (!has_depth(document.nodes))
+    if (!has_depth(document.nodes) &&
+        std::ranges::none_of(document.symbols, [](const auto& symbol) { return has_depth(symbol.nodes); }))
         return std::nullopt;
     const double distance = document.camera.value_or(kfb::max_camera);
     return static_cast<std::size_t>(
@@ -136,6 +137,7 @@ std::size_t whole_pixels(double size)
     return static_cast<std::size_t>(pixels);
 }
 
+/// Throws Failure if the scene is too long.
 std::int32_t ticks_of(const Document& document)
 {
     if (document.frames > scene::max_frames)
@@ -152,7 +154,7 @@ kdl::Node canvas_node(const Document& document, Writing& writing)
         set(canvas, "fps", number(on_grid(document.frame_rate, frame_rates), frame_rates));
     set(canvas, "frames", number(writing.length, times));
     if (document.loop != Loop::repeat)
-        set(canvas, "loop", text(std::string{loop_name(document.loop)}));
+        set(canvas, "loop", loop_word(document.loop));
     if (document.background)
         set(canvas, "background",
             text(writing.colours.word(stored_colour(*document.background, 1), "background")));
@@ -183,12 +185,15 @@ SceneText scene_text(const Document& document, std::string_view origin, double t
     const std::int32_t length = ticks_of(arranged);
     art::crop(arranged, losses);
     art::Budget budget;
-    Reach reach = arrange(arranged.nodes, {length, tolerance, losses, budget});
+    Reach reach = arrange(arranged, {length, tolerance, losses, budget});
     Writing writing{length, losses, budget};
     writing.rigs = rig_names(arranged.rigs);
     const std::vector<kdl::Node> canvas{canvas_node(arranged, writing)};
+    end_symbols(arranged);
+    name_symbols(arranged, writing);
     std::vector<kdl::Node> items = item_nodes(arranged.nodes, writing);
-    const std::vector<kdl::Node> symbols = share_drawings(items);
+    std::vector<kdl::Node> symbols = symbol_nodes(arranged, writing);
+    std::ranges::move(share_drawings(symbols, items, writing.symbol_names), std::back_inserter(symbols));
     const std::vector<kdl::Node> rigs = rig_nodes(arranged, writing, reach);
     const std::vector<kdl::Node> markers = marker_nodes(arranged, length, losses);
     return {first_lines(origin) + kdl::readable(canvas, crowded) + section(writing.colours.nodes()) +

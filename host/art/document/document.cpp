@@ -52,4 +52,11 @@ Affine matrix_at(const Transform& transform, double time)
            moved(-transform.anchor_x.at(time), -transform.anchor_y.at(time));
 }
 
+Affine matrix_of(const Copies& copies, int number)
+{
+    const double scale = std::pow(copies.scale, number);
+    return moved(number * copies.x, number * copies.y) * turned(number * copies.rotation) *
+           grown(scale, scale);
+}
+
 }

@@ -105,6 +105,30 @@ struct Group {
     std::vector<Node> nodes; ///< the first is the lowest
 };
 
+/// How many copies of a symbol a use makes: the copy with the number n, from 0, is scaled to the power of n,
+/// rotated by n steps, both about (0, 0), and moved by n steps. The first is the lowest.
+struct Copies {
+    static constexpr int max = 1000;
+
+    int count = 1; ///< 1 to max
+    double x = 0;
+    double y = 0;
+    double rotation = 0; ///< -360 to 360
+    double scale = 1;    ///< a factor above 0
+    double opacity = 0;  ///< added to 1, which is that of the first
+    friend bool operator==(const Copies&, const Copies&) = default;
+};
+
+/// What a symbol draws, by a time of its own: that is 0 until `delay`, and then goes on at `speed`, as Clock
+/// has it. If `speed` is negative, it begins at the end of the symbol.
+struct Use {
+    std::size_t symbol = 0; ///< index into Document::symbols
+    double delay = 0;
+    double speed = 1; ///< not 0
+    Copies copies = {};
+    friend bool operator==(const Use&, const Use&) = default;
+};
+
 /// A curve to move along.
 struct MotionPath {
     Drawing path;       ///< one open outline with at least one curve
@@ -149,7 +173,7 @@ struct Node {
     /// Not 0: neighbours with the same number are one group, written for each of its members because others
     /// may be between them (a parent in Lottie). Their transforms are the same.
     std::size_t parent_tag = 0;
-    std::variant<Shape, Group> content;
+    std::variant<Shape, Group, Use> content;
 };
 
 bool operator==(const Node& left, const Node& right);
@@ -182,6 +206,14 @@ struct Marker {
     double duration = 0;
 };
 
+/// What is used more than once, or by a time of its own. Times in it are its own, from 0 on.
+struct Symbol {
+    std::string name;
+    double frames = 1;        ///< its length
+    std::optional<Loop> loop; ///< what happens at its end; nothing: it has none
+    std::vector<Node> nodes;  ///< the first is the lowest
+};
+
 struct Document {
     double width = 0; ///< canvas pixels, above 0
     double height = 0;
@@ -191,6 +223,7 @@ struct Document {
     std::optional<Rgb> background;
     std::optional<double> camera; ///< distance of the viewer, in pixels; without one, depth is not visible
     std::vector<Node> nodes;      ///< the first is the lowest
+    std::vector<Symbol> symbols;  ///< each comes after those that it uses
     std::vector<Rig> rigs;
     std::vector<Marker> markers;
 };
@@ -258,6 +291,15 @@ void every_node(std::vector<Node>& nodes, Visit&& visit, const std::string& arou
     }
 }
 
+/// The same with the nodes of the document, and with those of its symbols.
+template <typename Visit>
+void every_node(Document& document, Visit&& visit)
+{
+    every_node(document.nodes, visit);
+    for (Symbol& symbol : document.symbols)
+        every_node(symbol.nodes, visit, symbol.name);
+}
+
 /// Degrees: at a skew of 90 the content has no width, so no skew is larger.
 inline constexpr double steepest_skew = 89.9;
 
@@ -267,5 +309,8 @@ Affine matrix_at(const Transform& transform, double time);
 
 /// As matrix_at() without the position and the path: rotation, scale and skew alone.
 Affine shape_at(const Transform& transform, double time);
+
+/// What the copy with that number does to the symbol.
+Affine matrix_of(const Copies& copies, int number);
 
 }

@@ -238,7 +238,31 @@ double farthest(Range range, double from)
 
 }
 
-bool has_depth(const Document& document) { return has_depth(document.nodes); }
+bool has_depth(const Document& document)
+{
+    return has_depth(document.nodes) || std::ranges::any_of(document.symbols, [](const Symbol& symbol) {
+               return has_depth(symbol.nodes);
+           });
+}
+
+Extent copied(const Extent& content, const Copies& copies)
+{
+    Extent all;
+    for (int number = 0; number < copies.count; ++number) {
+        Transform transform;
+        transform.x = {number * copies.x};
+        transform.y = {number * copies.y};
+        transform.rotate = {number * copies.rotation};
+        transform.scale_x = transform.scale_y = {std::pow(copies.scale, number)};
+        all.take(placed(content, transform));
+    }
+    return all;
+}
+
+double scale_factor_of(const Copies& copies)
+{
+    return std::max(1.0, std::pow(copies.scale, copies.count - 1));
+}
 
 double perspective_scale_factor(const Document& document, const Extent& all)
 {

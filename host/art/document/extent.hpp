@@ -38,6 +38,12 @@ Extent extent_of(const Shape& shape, std::span<const Rig> rigs);
 /// The extent of content after the transform.
 Extent placed(const Extent& content, const Transform& transform);
 
+/// The extent of all copies of content.
+Extent copied(const Extent& content, const Copies& copies);
+
+/// The factor by which the largest copy is larger than the symbol; at least 1.
+double scale_factor_of(const Copies& copies);
+
 /// The farthest that content is from the anchor of the transform, before scaling.
 double reach_of(const Extent& content, const Transform& transform);
 

@@ -65,6 +65,10 @@ public:
             if (shape->stroke)
                 every_length(*shape->stroke, *this);
         }
+        if (auto* use = std::get_if<Use>(&node.content)) {
+            (*this)(use->copies.x);
+            (*this)(use->copies.y);
+        }
     }
 
     void operator()(Bone& bone) const
@@ -90,7 +94,7 @@ void scale(Document& document, double factor)
     grow(document.height);
     if (document.camera)
         grow(*document.camera);
-    every_node(document.nodes, [&](Node& node, const std::string&) { grow(node); });
+    every_node(document, [&](Node& node, const std::string&) { grow(node); });
     for (Rig& rig : document.rigs)
         for (Bone& bone : rig.bones)
             grow(bone);
@@ -173,16 +177,22 @@ private:
     bool shortened_ = false;
 };
 
-/// What is visible all through the scene gets an unbounded span.
-std::vector<Span> cropped(const std::vector<Span>& shown, const Document& document)
+/// How long a scene or a symbol is, and what happens at its end.
+struct Length {
+    double frames;
+    Loop loop;
+};
+
+/// What is visible all along gets an unbounded span.
+std::vector<Span> cropped(const std::vector<Span>& shown, const Length& length)
 {
     std::vector<Span> kept;
     for (const Span& span : shown) {
-        // A scene that repeats never shows the time of its end.
+        // What repeats never shows the time of its end.
         const bool ends_behind =
-            span.to > document.frames || (span.to == document.frames && document.loop == Loop::repeat);
+            span.to > length.frames || (span.to == length.frames && length.loop == Loop::repeat);
         const bool begins_behind =
-            span.from > document.frames || (span.from == document.frames && document.loop == Loop::repeat);
+            span.from > length.frames || (span.from == length.frames && length.loop == Loop::repeat);
         if (span.to > 0 && !begins_behind)
             kept.push_back(
                 {.from = span.from > 0 ? span.from : -endless, .to = ends_behind ? endless : span.to});
@@ -190,10 +200,10 @@ std::vector<Span> cropped(const std::vector<Span>& shown, const Document& docume
     return kept;
 }
 
-void crop(Node& node, const std::string& place, const Document& document, Losses& losses)
+void crop(Node& node, const std::string& place, const Length& length, Losses& losses)
 {
-    Crop cut{document.frames};
-    node.shown = cropped(node.shown, document);
+    Crop cut{length.frames};
+    node.shown = cropped(node.shown, length);
     cut(node.opacity);
     every_animation(node.transform, cut);
     if (auto* shape = std::get_if<Shape>(&node.content))
@@ -223,8 +233,13 @@ std::vector<Marker> cropped(std::vector<Marker> markers, double frames, Losses& 
 
 void crop(Document& document, Losses& losses)
 {
-    every_node(document.nodes,
-               [&](Node& node, const std::string& place) { crop(node, place, document, losses); });
+    const auto crop_all = [&](std::vector<Node>& nodes, const Length& length, const std::string& around) {
+        every_node(
+            nodes, [&](Node& node, const std::string& place) { crop(node, place, length, losses); }, around);
+    };
+    crop_all(document.nodes, {document.frames, document.loop}, {});
+    for (Symbol& symbol : document.symbols)
+        crop_all(symbol.nodes, {symbol.frames, symbol.loop.value_or(Loop::once)}, symbol.name);
     Crop cut{document.frames};
     for (Rig& rig : document.rigs)
         for (Bone& bone : rig.bones)
@@ -252,7 +267,7 @@ void every_ease(Document& document, Visit&& visit)
             if (key.ease.kind == EaseKind::cubic)
                 visit(key.ease);
     };
-    every_node(document.nodes, [&](Node& node, const std::string&) {
+    every_node(document, [&](Node& node, const std::string&) {
         every_animation(node.transform, look_at);
         look_at(node.opacity);
         if (auto* shape = std::get_if<Shape>(&node.content))

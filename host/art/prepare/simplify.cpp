@@ -54,26 +54,6 @@ struct Measured {
     std::vector<Measured> inner;
 };
 
-std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const Rig> rigs, int depth);
-
-Measured measured(const Node& node, std::span<const Rig> rigs, int depth)
-{
-    Measured result;
-    if (const auto* shape = std::get_if<Shape>(&node.content)) {
-        result.content = extent_of(*shape, rigs);
-        result.channels = shape->stroke ? moves(shape->stroke->width) : 0;
-    } else {
-        const auto& nodes = std::get<Group>(node.content).nodes;
-        result.inner = measured(nodes, rigs, depth + 1);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            result.content.take(placed(result.inner[i].content, nodes[i].transform));
-            result.channels = std::max(result.channels, result.inner[i].channels);
-        }
-    }
-    result.channels += moving_channels(node.transform);
-    return result;
-}
-
 /// Nodes with the same tag have the same transform, and keep it only if they are measured together.
 void join_tagged(const std::vector<Node>& nodes, std::vector<Measured>& list)
 {
@@ -91,21 +71,70 @@ void join_tagged(const std::vector<Node>& nodes, std::vector<Measured>& list)
     }
 }
 
-std::vector<Measured> measured(const std::vector<Node>& nodes, std::span<const Rig> rigs, int depth)
-{
-    Budget::check_depth(depth);
-    std::vector<Measured> list;
-    list.reserve(nodes.size());
-    for (const Node& node : nodes)
-        list.push_back(measured(node, rigs, depth));
-    join_tagged(nodes, list);
-    return list;
-}
+class Measurement {
+public:
+    explicit Measurement(const Document& document) : rigs_{document.rigs}
+    {
+        for (const Symbol& symbol : document.symbols)
+            symbols_.push_back(inside(symbol.nodes, 0));
+    }
+
+    /// All that is in a list.
+    Measured inside(const std::vector<Node>& nodes, int depth) const
+    {
+        Measured all;
+        all.inner = of_each(nodes, depth);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            all.content.take(placed(all.inner[i].content, nodes[i].transform));
+            all.channels = std::max(all.channels, all.inner[i].channels);
+        }
+        return all;
+    }
+
+    const Measured& of_symbol(std::size_t index) const { return symbols_[index]; }
+
+private:
+    Measured of(const Node& node, int depth) const
+    {
+        Measured result;
+        if (const auto* shape = std::get_if<Shape>(&node.content)) {
+            result.content = extent_of(*shape, rigs_);
+            result.channels = shape->stroke ? moves(shape->stroke->width) : 0;
+        } else if (const auto* use = std::get_if<Use>(&node.content)) {
+            result.content = copied(symbols_[use->symbol].content, use->copies);
+            result.channels = symbols_[use->symbol].channels;
+        } else {
+            result = inside(std::get<Group>(node.content).nodes, depth + 1);
+        }
+        result.channels += moving_channels(node.transform);
+        return result;
+    }
+
+    std::vector<Measured> of_each(const std::vector<Node>& nodes, int depth) const
+    {
+        Budget::check_depth(depth);
+        std::vector<Measured> list;
+        list.reserve(nodes.size());
+        for (const Node& node : nodes)
+            list.push_back(of(node, depth));
+        join_tagged(nodes, list);
+        return list;
+    }
+
+    std::span<const Rig> rigs_;
+    std::vector<Measured> symbols_;
+};
 
 /// What is around a node.
 struct Around {
     double scale_factor = 1; ///< a pixel of it is at most this many on the canvas
     int channels = 0;        ///< that move it
+
+    void take(const Around& other)
+    {
+        scale_factor = std::max(scale_factor, other.scale_factor);
+        channels = std::max(channels, other.channels);
+    }
 };
 
 /// Keys that are nearly equal become equal: what does not change or recurs is stored once.
@@ -140,7 +169,10 @@ double way_length(const MotionPath& path)
 class Simplification {
 public:
     Simplification(const Document& document, double tolerance)
-        : tolerance_{tolerance}, rigs_{document.rigs}, deep_{has_depth(document)}
+        : tolerance_{tolerance},
+          rigs_{document.rigs},
+          deep_{has_depth(document)},
+          around_symbols_(document.symbols.size(), {0, 0})
     {
     }
 
@@ -150,6 +182,9 @@ public:
         for (std::size_t i = 0; i < nodes.size(); ++i)
             simplify(nodes[i], list[i], around, tagged);
     }
+
+    /// All that uses the symbol has been simplified.
+    const Around& around_symbol(std::size_t index) const { return around_symbols_[index]; }
 
     void simplify(Bone& bone)
     {
@@ -174,6 +209,8 @@ private:
         leave_out_keys(node.opacity, opacity_tolerance, eases_);
         if (auto* group = std::get_if<Group>(&node.content))
             simplify(group->nodes, of.inner, {scale_factor, moving});
+        else if (const auto* use = std::get_if<Use>(&node.content))
+            around_symbols_[use->symbol].take({scale_factor * scale_factor_of(use->copies), moving});
         else
             simplify(std::get<Shape>(node.content), share / scale_factor,
                      (channels > 0 ? tolerance_ / 2 : tolerance_) / scale_factor);
@@ -309,6 +346,7 @@ private:
     double tolerance_;
     std::span<const Rig> rigs_;
     bool deep_;
+    std::vector<Around> around_symbols_; ///< the most around any use of each
     NewEases eases_;
 };
 
@@ -317,12 +355,13 @@ private:
 void simplify(Document& document, double tolerance)
 {
     drop_unseen(document);
-    const auto list = measured(document.nodes, document.rigs, 0);
-    Extent all;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        all.take(placed(list[i].content, document.nodes[i].transform));
+    const Measurement measurement{document};
+    const Measured all = measurement.inside(document.nodes, 0);
     Simplification simplification{document, tolerance};
-    simplification.simplify(document.nodes, list, {perspective_scale_factor(document, all), 0});
+    simplification.simplify(document.nodes, all.inner, {perspective_scale_factor(document, all.content), 0});
+    for (std::size_t i = document.symbols.size(); i-- > 0;)
+        if (const Around around = simplification.around_symbol(i); around.scale_factor > 0)
+            simplification.simplify(document.symbols[i].nodes, measurement.of_symbol(i).inner, around);
     for (Rig& rig : document.rigs)
         for (Bone& bone : rig.bones)
             simplification.simplify(bone);

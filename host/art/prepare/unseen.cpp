@@ -50,30 +50,44 @@ bool draws(const Shape& shape)
            });
 }
 
-void drop_unseen(std::vector<Node>& nodes, int depth);
+class Unseen {
+public:
+    explicit Unseen(const std::vector<Symbol>& symbols) : symbols_{symbols} {}
 
-bool is_seen(Node& node, int depth)
-{
-    if (node.shown.empty() || is_zero(node.opacity))
-        return false;
-    if (auto* shape = std::get_if<Shape>(&node.content)) {
-        drop_transparent(*shape);
-        drop_points(*shape);
-        return draws(*shape);
+    void drop(std::vector<Node>& nodes, int depth = 0) const
+    {
+        Budget::check_depth(depth);
+        std::erase_if(nodes, [&](Node& node) { return !is_seen(node, depth); });
     }
-    auto& inner = std::get<Group>(node.content).nodes;
-    drop_unseen(inner, depth + 1);
-    return !inner.empty();
+
+private:
+    bool is_seen(Node& node, int depth) const
+    {
+        if (node.shown.empty() || is_zero(node.opacity))
+            return false;
+        if (auto* shape = std::get_if<Shape>(&node.content)) {
+            drop_transparent(*shape);
+            drop_points(*shape);
+            return draws(*shape);
+        }
+        if (const auto* use = std::get_if<Use>(&node.content))
+            return !symbols_[use->symbol].nodes.empty();
+        auto& inner = std::get<Group>(node.content).nodes;
+        drop(inner, depth + 1);
+        return !inner.empty();
+    }
+
+    const std::vector<Symbol>& symbols_;
+};
+
 }
 
-void drop_unseen(std::vector<Node>& nodes, int depth)
+void drop_unseen(Document& document)
 {
-    Budget::check_depth(depth);
-    std::erase_if(nodes, [&](Node& node) { return !is_seen(node, depth); });
+    const Unseen unseen{document.symbols};
+    for (Symbol& symbol : document.symbols)
+        unseen.drop(symbol.nodes);
+    unseen.drop(document.nodes);
 }
-
-}
-
-void drop_unseen(Document& document) { drop_unseen(document.nodes, 0); }
 
 }

@@ -41,6 +41,15 @@ void include(Box& box, const art::Shape& shape, double time, const Affine& matri
     box.include({drawn.right + half, drawn.bottom + half});
 }
 
+void include(Box& box, const art::Use& use, const Affine& matrix, std::span<const Box> of_symbols)
+{
+    if (!(of_symbols[use.symbol].left <= of_symbols[use.symbol].right))
+        return;
+    for (int number = 0; number < use.copies.count; ++number)
+        for (const Vec2 corner : of_symbols[use.symbol].corners())
+            box.include((matrix * matrix_of(use.copies, number)).of(corner));
+}
+
 std::vector<Vec2> flattened(const scene::Outline& outline)
 {
     constexpr int chords = 16;
@@ -109,6 +118,14 @@ void Box::include(Vec2 spot)
     bottom = std::max(bottom, spot.y);
 }
 
+void Box::unite(const Box& other)
+{
+    if (!(other.left <= other.right))
+        return;
+    include({other.left, other.top});
+    include({other.right, other.bottom});
+}
+
 bool Box::lies_within(const Box& other) const
 {
     return empty() || (left >= other.left - breadth && top >= other.top - breadth &&
@@ -126,23 +143,30 @@ std::vector<Vec2> Box::corners() const
     return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
-Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix)
+Box box_at(std::span<const art::Node> nodes, double time, const Affine& matrix,
+           std::span<const Box> of_symbols)
 {
     Box box;
     for (const art::Node& node : nodes) {
         if (!is_shown(node, time))
             continue;
         const Affine inner = matrix * matrix_at(node.transform, time);
-        if (const auto* group = std::get_if<art::Group>(&node.content)) {
-            const Box of_group = box_at(group->nodes, time, inner);
-            if (of_group.left <= of_group.right) {
-                box.include({of_group.left, of_group.top});
-                box.include({of_group.right, of_group.bottom});
-            }
-        } else {
+        if (const auto* group = std::get_if<art::Group>(&node.content))
+            box.unite(box_at(group->nodes, time, inner, of_symbols));
+        else if (const auto* use = std::get_if<art::Use>(&node.content))
+            include(box, *use, inner, of_symbols);
+        else
             include(box, std::get<art::Shape>(node.content), time, inner);
-        }
     }
+    return box;
+}
+
+Box box_in(std::span<const art::Node> nodes, const art::Span& span, std::span<const Box> of_symbols,
+           art::Budget& budget)
+{
+    Box box;
+    for (const double time : sample_times(span, weight(nodes), budget))
+        box.unite(box_at(nodes, time, {}, of_symbols));
     return box;
 }
 
@@ -170,6 +194,8 @@ std::size_t weight(std::span<const art::Node> nodes)
         total += weight(node.transform);
         if (const auto* group = std::get_if<art::Group>(&node.content))
             total += weight(group->nodes);
+        else if (const auto* use = std::get_if<art::Use>(&node.content))
+            total += static_cast<std::size_t>(use->copies.count);
         else
             for (const scene::Outline& outline :
                  std::get<art::Shape>(node.content).drawing.keys.front().value.outlines)

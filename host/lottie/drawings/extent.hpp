@@ -20,6 +20,7 @@ struct Box {
 
     bool empty() const { return !(left < right && top < bottom); }
     void include(scene::Vec2 spot);
+    void unite(const Box& other);
     /// Ignores a margin of 1/100 px.
     bool lies_within(const Box& other) const;
     bool touches(const Box& other) const;
@@ -27,7 +28,13 @@ struct Box {
 };
 
 /// The box around all control points and line widths that are visible at the time, transformed by `matrix`.
-Box box_at(std::span<const art::Node> nodes, double time, const art::Affine& matrix = {});
+/// `of_symbols` are the boxes of the symbols that are used, around all that they ever draw.
+Box box_at(std::span<const art::Node> nodes, double time, const art::Affine& matrix = {},
+           std::span<const Box> of_symbols = {});
+
+/// The box around all that was visible at some moments of a span.
+Box box_in(std::span<const art::Node> nodes, const art::Span& span, std::span<const Box> of_symbols,
+           art::Budget& budget);
 
 /// Whether the polygon or curve contains the whole of a convex polygon, such as a rotated box.
 bool contains(const art::Drawing& drawing, std::span<const scene::Vec2> polygon);

@@ -124,6 +124,11 @@ private:
                !truth_at(layer, "hd", false) && !truth_at(layer, "td", false);
     }
 
+    static bool is_cut(const Json& layer)
+    {
+        return find_member(layer, "masksProperties") || whole_at(layer, "tt", 0) != 0;
+    }
+
     /// When it is visible while the composition is; empty if never.
     art::Span seen_of(const art::Span& shown) const
     {
@@ -133,7 +138,7 @@ private:
     std::optional<art::Node> read_node(std::size_t index)
     {
         const Json& json = layers_[index];
-        const Reading reading = reading_of(index);
+        Reading reading = reading_of(index);
         if (!is_drawn(json))
             return std::nullopt;
         const art::Span shown = span_of(json, reading.time, composition_.seen);
@@ -145,6 +150,8 @@ private:
         report_missing_parent(json, reading);
         Chain chain{composition_.around};
         read_chain(chain, index, parents);
+        if (is_cut(json) || std::ranges::any_of(chain.transforms(), changes_while_skewed))
+            reading.symbols = nullptr;
         const Layer layer{json, reading, chain.innermost(), seen};
         std::vector<art::Node> content = read_content(layer, animation_);
         apply_masks(content, layer);
@@ -170,6 +177,7 @@ private:
             source = by_number(whole_at(layer.json, "tp", 0));
         else if (index > 0)
             source = index - 1;
+        animation_.depends_on_place = true; // if it is within a symbol
         if (!source || *source == index)
             return layer.reading.losses.add(
                 {"matte", layer.reading.layer, std::nullopt, "none: there is no layer to take it from"});
@@ -256,6 +264,13 @@ std::size_t weight(const Around* around)
         if (around->transform)
             total += weight(*around->transform);
     return total;
+}
+
+bool is_within_symbol(const Around* around)
+{
+    while (around && around->transform)
+        around = around->outer;
+    return around && around->is_symbol;
 }
 
 std::optional<art::Affine> canvas_matrix(const Around* around, double time)

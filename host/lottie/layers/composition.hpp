@@ -4,6 +4,7 @@
 #include "host/art/document/document.hpp"
 #include "host/art/geometry/affine.hpp"
 #include "host/art/losses.hpp"
+#include "host/lottie/drawings/symbol_table.hpp"
 #include "host/lottie/shapes/shapes.hpp"
 #include "host/lottie/values/json.hpp"
 
@@ -14,6 +15,16 @@
 #include <vector>
 
 namespace kfast::lottie {
+
+/// A composition that was tried to be read as a symbol.
+struct CompositionSymbol {
+    const Json* layers = nullptr;
+    double first = 0;                 ///< its frame at which the symbol begins
+    double stretch = 1;               ///< frames of the symbol for each of its frames, above 0
+    double frames = 1;                ///< of the symbol
+    std::optional<Loop> loop;         ///< of its time; nothing: it goes on evenly
+    std::optional<std::size_t> index; ///< into SymbolTable::list; nothing: it cannot be a symbol
+};
 
 /// A file while it is read.
 struct Animation {
@@ -26,16 +37,25 @@ struct Animation {
     double frame_rate = 30;
     std::map<std::string, const Json*> assets = {}; ///< by "id"
     art::Budget budget = {};
-    std::size_t tags = 0;                      ///< art::Node::parent_tag that are given
-    std::vector<std::string> open = {};        ///< precompositions around what is being read
-    std::set<const Json*> looked_through = {}; ///< layers whose unread members are reported
+    std::size_t tags = 0;                         ///< art::Node::parent_tag that are given
+    std::vector<std::string> open = {};           ///< precompositions around what is being read
+    std::set<const Json*> looked_through = {};    ///< layers whose unread members are reported
+    std::map<const Json*, std::size_t> uses = {}; ///< of the layers of a composition, by layers of others
+    SymbolTable symbols = {};
+    std::vector<CompositionSymbol> composition_symbols = {};
+    /// Something of a symbol could not be read without knowing where it will be.
+    bool depends_on_place = false;
 };
 
 /// What the transforms of layers around another one do: a list from the innermost outwards.
 struct Around {
     const Around* outer = nullptr;
     const art::Transform* transform = nullptr; ///< null: the placement is unknown
+    bool is_symbol = false;                    ///< for that is where it is used
 };
+
+/// Whether the placement is unknown because a symbol is around.
+bool is_within_symbol(const Around* around);
 
 /// How many points have to be computed to know the placement.
 std::size_t weight(const Around* around);

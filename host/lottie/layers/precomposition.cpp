@@ -2,6 +2,7 @@
 
 #include "host/geometry/shape.hpp"
 #include "host/lottie/drawings/extent.hpp"
+#include "host/lottie/layers/composition_symbol.hpp"
 #include "host/lottie/layers/window.hpp"
 #include "host/lottie/values/time_remap.hpp"
 #include "host/text/characters.hpp"
@@ -103,20 +104,49 @@ void keep_last_frame(std::vector<TimePiece>& pieces, double end)
 }
 
 /// "tm" counts seconds.
-std::vector<art::Node> read_remapped(const Layer& layer, const Json& layers, Animation& animation)
+std::vector<TimePiece> read_pieces(const Layer& layer, const Animation& animation)
 {
     const Reading& outer = layer.reading;
     const art::Channel frame =
         read_channel(layer.json, "tm", 0, 0, animation.frame_rate, outer.time, outer.budget);
     std::vector<TimePiece> pieces = time_pieces(frame, layer.seen, outer.budget);
     keep_last_frame(pieces, number_at(layer.json, "op", largest_number));
-    if (const auto even = even_time(pieces))
-        return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *even));
+    return pieces;
+}
+
+/// Where time goes unevenly, it goes into keys.
+std::vector<art::Node> read_unevenly(const Layer& layer, const Json& layers,
+                                     const std::vector<TimePiece>& pieces, Animation& animation)
+{
     const Around unknown;
-    std::vector<art::Node> nodes =
-        read_composition({layers, &unknown, range_of(pieces)}, animation, inner_reading(layer, {}));
-    retime(nodes, pieces, outer.budget);
+    Reading reading = inner_reading(layer, {});
+    reading.symbols = nullptr;
+    std::vector<art::Node> nodes = read_composition({layers, &unknown, range_of(pieces)}, animation, reading);
+    retime(nodes, pieces, layer.reading.budget);
     return nodes;
+}
+
+/// How time goes in the composition while the layer is seen: evenly, or in pieces.
+struct InnerTime {
+    std::optional<LayerTime> even;
+    std::vector<TimePiece> pieces = {};
+};
+
+InnerTime inner_time(const Layer& layer, const Animation& animation)
+{
+    if (!find_member(layer.json, "tm"))
+        return {stretched(layer)};
+    std::vector<TimePiece> pieces = read_pieces(layer, animation);
+    const auto even = even_time(pieces);
+    return {even, std::move(pieces)};
+}
+
+std::vector<art::Node> read_written_out(const Layer& layer, const Json& layers, const InnerTime& time,
+                                        Animation& animation)
+{
+    if (!time.even)
+        return read_unevenly(layer, layers, time.pieces, animation);
+    return read_composition({layers, &layer.around, layer.seen}, animation, inner_reading(layer, *time.even));
 }
 
 /// What the canvas shows of a box inside of the layer; all of it where that is not known.
@@ -133,30 +163,70 @@ Box seen_part(Box box, const Layer& layer, double time, const Animation& animati
             std::min(box.bottom, canvas.bottom)};
 }
 
+Box edges_of(const Layer& layer)
+{
+    return {0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
+}
+
 /// When something is first visible beyond the edges.
 std::optional<double> first_seen_beyond(const Box& edges, std::span<const art::Node> nodes,
                                         const Layer& layer, const Animation& animation)
 {
     for (const double time :
          sample_times(layer.seen, weight(nodes) + weight(&layer.around), layer.reading.budget))
-        if (!seen_part(box_at(nodes, time), layer, time, animation).lies_within(edges))
+        if (!seen_part(box_at(nodes, time, {}, animation.symbols.boxes), layer, time, animation)
+                 .lies_within(edges))
             return time;
     return std::nullopt;
 }
 
-/// A composition is clipped to its own edges, but a scene only to those of the canvas.
-void cut_at_edges(std::vector<art::Node>& nodes, const Layer& layer, const Animation& animation)
+/// A composition is clipped to its own edges, but a scene only to those of the canvas. Says when something is
+/// first seen beyond them.
+std::optional<double> first_seen_beyond(std::span<const art::Node> nodes, const Layer& layer,
+                                        Animation& animation)
 {
-    const Box edges{0, 0, number_at(layer.json, "w", 0), number_at(layer.json, "h", 0)};
-    if (edges.empty())
-        return;
-    const auto time = first_seen_beyond(edges, nodes, layer, animation);
-    if (!time)
-        return;
+    const Box edges = edges_of(layer);
+    const auto time = edges.empty() ? std::nullopt : first_seen_beyond(edges, nodes, layer, animation);
+    if (time && is_within_symbol(&layer.around))
+        animation.depends_on_place = true;
+    return time;
+}
+
+void cut_at_edges(std::vector<art::Node>& nodes, double first_beyond, const Layer& layer)
+{
+    const Box edges = edges_of(layer);
     const art::Drawing frame{{scene::rectangle({0, 0}, edges.right, edges.bottom, 0)}};
     if (!cut_to(window_of(frame), nodes, layer.seen, layer.reading.budget))
-        layer.reading.losses.add(
-            {"edge of a precomposition", layer.reading.layer, time, "what reaches beyond it is seen"});
+        layer.reading.losses.add({"edge of a precomposition", layer.reading.layer, first_beyond,
+                                  "what reaches beyond it is seen"});
+}
+
+/// Nothing if something is seen beyond the edges, which a use does not have.
+std::optional<art::Node> within_edges(const std::optional<art::Use>& use, const Layer& layer,
+                                      Animation& animation)
+{
+    if (!use)
+        return std::nullopt;
+    art::Node node;
+    node.content = *use;
+    return first_seen_beyond({&node, 1}, layer, animation) ? std::nullopt : std::optional{std::move(node)};
+}
+
+/// What the composition draws, whose `layers` these are; cut where it is seen beyond the edges.
+std::vector<art::Node> read_cut(const Layer& layer, const Json& layers, const InnerTime& time,
+                                Animation& animation)
+{
+    std::vector<art::Node> nodes = read_written_out(layer, layers, time, animation);
+    const auto beyond = first_seen_beyond(nodes, layer, animation);
+    if (!beyond)
+        return nodes;
+    if (layer.reading.symbols && !animation.symbols.list.empty()) { // which cannot be cut
+        Reading reading = layer.reading;
+        reading.symbols = nullptr;
+        nodes = read_written_out({layer.json, reading, layer.around, layer.seen}, layers, time, animation);
+    }
+    cut_at_edges(nodes, *beyond, layer);
+    return nodes;
 }
 
 }
@@ -164,12 +234,18 @@ void cut_at_edges(std::vector<art::Node>& nodes, const Layer& layer, const Anima
 std::vector<art::Node> read_precomposition(const Layer& layer, Animation& animation)
 {
     const Opened opened{layer, animation};
-    std::vector<art::Node> nodes = find_member(layer.json, "tm")
-                                       ? read_remapped(layer, opened.layers(), animation)
-                                       : read_composition({opened.layers(), &layer.around, layer.seen},
-                                                          animation, inner_reading(layer, stretched(layer)));
-    cut_at_edges(nodes, layer, animation);
-    return nodes;
+    const Json& layers = opened.layers();
+    const Reading inside = inner_reading(layer, {});
+    if (const auto looped = looped_time(layer.json, layer.reading.time, layer.seen, animation.frame_rate,
+                                        layer.reading.budget))
+        if (auto node = within_edges(use_looped(layer, layers, *looped, inside, animation), layer, animation))
+            return {std::move(*node)};
+    const InnerTime time = inner_time(layer, animation);
+    if (time.even)
+        if (auto node =
+                within_edges(use_evenly(layer, layers, *time.even, inside, animation), layer, animation))
+            return {std::move(*node)};
+    return read_cut(layer, layers, time, animation);
 }
 
 }

@@ -1,5 +1,7 @@
 #include "host/lottie/drawings/carried.hpp"
+#include "host/lottie/drawings/symbol_table.hpp"
 #include "host/lottie/shapes/shapes.hpp"
+#include "host/lottie/shapes/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -173,12 +175,40 @@ private:
         Reading reading{reading_};
         if (!group->name.empty())
             reading.layer += " / " + group->name;
+        if (changes_while_skewed(group->transform))
+            reading.symbols = nullptr;
+        if (group->copies && reading.symbols && !reading.symbols->is_full()) {
+            if (group->is_first_copy)
+                add_copies(*group, reading, nodes);
+            return;
+        }
         std::vector<Node> inner = Painter{reading}.paint(group->items);
         if (inner.empty())
             return;
         Node node = within(*group, std::move(inner));
         node.opacity = group->opacity;
         nodes.push_back(std::move(node));
+    }
+
+    /// All copies of which the group is one.
+    static void add_copies(const GroupItem& group, const Reading& reading, std::vector<Node>& nodes)
+    {
+        std::vector<Node> inner = Painter{reading}.paint(group.items);
+        if (inner.empty())
+            return;
+        art::Symbol symbol{
+            .name = inner.front().name, .frames = reading.time.seen.to, .loop = {}, .nodes = {}};
+        Node content;
+        content.transform = group.copies->content;
+        content.content = art::Group{std::move(inner)};
+        symbol.nodes.push_back(std::move(content));
+        SymbolTable& symbols = *reading.symbols;
+        const Box box = box_in(symbol.nodes, {0, symbol.frames}, symbols.boxes, reading.budget);
+        Node use;
+        use.name = symbol.name;
+        use.transform = group.copies->place;
+        use.content = art::Use{.symbol = symbols.add(std::move(symbol), box), .copies = group.copies->copies};
+        nodes.push_back(std::move(use));
     }
 
     void add_shape(const StyleItem& style, const StyleItem* below, const std::vector<TransformedPath>& paths,

@@ -1,10 +1,12 @@
 #include "host/lottie/shapes/shapes.hpp"
 
+#include "host/art/geometry/affine.hpp"
 #include "host/lottie/values/channel.hpp"
 #include "host/lottie/values/json.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -154,6 +156,74 @@ CopyStep step_of(const Repeater& repeater, double index, art::Budget& budget)
     return result;
 }
 
+/// The opacities of the lowest copy and the next one, of which the first is 1.
+std::optional<double> opacity_step(const Repeater& repeater, double first, double last, double count)
+{
+    const double lowest = repeater.first_on_top ? last : first;
+    const double highest = repeater.first_on_top ? first : last;
+    if (lowest != 1 || !(highest >= 0 && highest <= 1))
+        return std::nullopt;
+    return (highest - lowest) / (count - 1);
+}
+
+/// Numbers of a repeater that stand still.
+struct Steps {
+    double offset = 0;
+    scene::Vec2 anchor = {};
+    scene::Vec2 move = {};
+    double scale = 1;
+    double rotation = 0;
+};
+
+std::optional<Steps> steps_of(const Repeater& repeater)
+{
+    const art::Transform& step = repeater.step;
+    const auto numbers = {&repeater.offset, &step.anchor_x, &step.anchor_y, &step.x,
+                          &step.y,          &step.scale_x,  &step.rotate};
+    if (!std::ranges::all_of(numbers, [](const Channel* channel) { return channel->is_still(); }) ||
+        step.scale_x != step.scale_y)
+        return std::nullopt;
+    return Steps{repeater.offset.value(),
+                 {step.anchor_x.value(), step.anchor_y.value()},
+                 {step.x.value(), step.y.value()},
+                 step.scale_x.value(),
+                 step.rotate.value()};
+}
+
+/// All copies as one use of a symbol: each is then the one below it, once more moved, turned and scaled. Null
+/// if that is not the same picture.
+std::shared_ptr<const CopySet> copy_set(const Repeater& repeater, double count)
+{
+    constexpr double fewest = 3;
+    constexpr double largest_growth = 16; // of one copy relative to another: finer is not stored
+    const auto steps = steps_of(repeater);
+    if (!repeater.copies.is_still() || !repeater.first_opacity.is_still() ||
+        !repeater.last_opacity.is_still() || !steps || !(count >= fewest && count <= art::Copies::max) ||
+        !(steps->scale > 0))
+        return nullptr;
+    const auto fade =
+        opacity_step(repeater, repeater.first_opacity.value(), repeater.last_opacity.value(), count);
+    const double growth = std::pow(steps->scale, count - 1);
+    // Powers of fractions below 0 are no steps.
+    if (!fade || !(growth <= largest_growth && growth >= 1 / largest_growth) ||
+        (steps->offset < 0 && steps->scale != 1))
+        return nullptr;
+    const double lowest = steps->offset + (repeater.first_on_top ? count - 1 : 0);
+    const double direction = repeater.first_on_top ? -1 : 1;
+    CopySet set;
+    set.place.x = {steps->anchor.x + lowest * steps->move.x};
+    set.place.y = {steps->anchor.y + lowest * steps->move.y};
+    set.place.rotate = {lowest * steps->rotation};
+    set.content.anchor_x = {steps->anchor.x};
+    set.content.anchor_y = {steps->anchor.y};
+    set.content.scale_x = set.content.scale_y = {power(steps->scale, lowest)};
+    const scene::Vec2 move = art::turned(-lowest * steps->rotation).of(direction * steps->move);
+    set.copies = {
+        static_cast<int>(count),           move.x, move.y, std::fmod(direction * steps->rotation, 360),
+        std::pow(steps->scale, direction), *fade};
+    return std::make_shared<const CopySet>(set);
+}
+
 ShapeItem copy(const std::vector<ShapeItem>& items, const Repeater& repeater, double index,
                art::Budget& budget)
 {
@@ -192,6 +262,15 @@ void report_what_is_not_repeated(const Repeater& repeater, const Reading& readin
 
 }
 
+void part_copies(std::vector<ShapeItem>& items)
+{
+    for (ShapeItem& item : items)
+        if (auto* group = std::get_if<GroupItem>(&item.content)) {
+            group->copies.reset();
+            part_copies(group->items);
+        }
+}
+
 std::vector<ShapeItem> repeated(const std::vector<ShapeItem>& items, const Json& item, const Reading& reading)
 {
     if (items.empty())
@@ -204,6 +283,12 @@ std::vector<ShapeItem> repeated(const std::vector<ShapeItem>& items, const Json&
         take_nodes(items, reading.budget);
         copies.push_back(copy(items, repeater, index, reading.budget));
     }
+    if (const auto set = copy_set(repeater, count))
+        for (ShapeItem& item : copies) {
+            auto& group = std::get<GroupItem>(item.content);
+            group.copies = set;
+            group.is_first_copy = &item == &copies.front();
+        }
     if (!repeater.first_on_top)
         std::ranges::reverse(copies);
     return copies;

@@ -138,6 +138,7 @@ private:
 
     std::vector<PathItem*> modified_paths(const Json& item)
     {
+        part_copies(items_);
         std::vector<PathItem*> paths = paths_of(items_);
         for (PathItem* path : paths) {
             if (++path->modifiers > max_modifiers)

@@ -16,6 +16,8 @@
 
 namespace kfast::lottie {
 
+struct SymbolTable;
+
 /// The context of reading, from layer to layer.
 struct Reading {
     art::Budget& budget;
@@ -23,6 +25,9 @@ struct Reading {
     LayerTime time;
     std::string layer; ///< for losses: "body / arm"
     int depth = 0;     ///< of layers and groups around
+    /// Null: nothing becomes a symbol, for what is around changes what is drawn itself. `time.seen` is
+    /// bounded otherwise.
+    SymbolTable* symbols = nullptr;
 };
 
 /// What a shape layer draws: its "shapes", the lowest of the result first.
@@ -58,6 +63,13 @@ struct StyleItem {
     Dashes dashes; ///< of the line
 };
 
+/// A repeater as the scene language has it.
+struct CopySet {
+    art::Copies copies;
+    art::Transform place;   ///< of the lowest copy, and of all together
+    art::Transform content; ///< of what is copied, within each
+};
+
 struct ShapeItem;
 
 struct GroupItem {
@@ -66,6 +78,8 @@ struct GroupItem {
     art::Channel opacity = {1};
     std::vector<art::Span> shown = {{}};
     std::vector<ShapeItem> items;
+    std::shared_ptr<const CopySet> copies = {}; ///< if it is a copy, and all of them can be drawn as one use
+    bool is_first_copy = false;
 };
 
 struct ShapeItem {
@@ -83,6 +97,9 @@ bool is_path(std::string_view type);
 
 /// A path ("sh"), a rectangle ("rc"), an ellipse ("el") or a star ("sr"): "ty" says which.
 PathItem read_path_item(const Json& item, const Reading& reading);
+
+/// After this, copies are drawn one by one: they may differ.
+void part_copies(std::vector<ShapeItem>& items);
 
 /// The copies of a repeater ("rp") in place of the items before it: groups that paint the same, the topmost
 /// first.

@@ -125,6 +125,13 @@ bool is_flat(const art::Transform& transform)
            steady_value(transform.rotate_y) == 0.0;
 }
 
+bool changes_while_skewed(const art::Transform& transform)
+{
+    const auto is_steady = [](const Channel* channel) { return steady_value(*channel).has_value(); };
+    const auto form = {&transform.skew, &transform.skew_axis, &transform.scale_x, &transform.scale_y};
+    return !is_zero(transform.skew) && !std::ranges::all_of(form, is_steady);
+}
+
 std::optional<double> steady_value(const Channel& channel)
 {
     const double value = channel.keys.front().value;

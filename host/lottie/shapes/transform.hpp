@@ -17,6 +17,9 @@ std::optional<double> steady_value(const art::Channel& channel);
 /// Whether it never leaves its plane.
 bool is_flat(const art::Transform& transform);
 
+/// Whether it is skewed, and its form changes: a scene can only have it in the points of what is drawn.
+bool changes_while_skewed(const art::Transform& transform);
+
 /// Lottie scales before it skews, a transform does the opposite: converts the one into the other where the
 /// scales differ.
 void skew_before_scaling(art::Transform& transform);

@@ -12,14 +12,6 @@ namespace kfast::lottie {
 
 namespace {
 
-/// A single number represents all components.
-double component(const Json& value, std::size_t index, double default_value)
-{
-    if (!value.is_array())
-        return number_of(value);
-    return index < value.size() ? number_of(value[index]) : default_value;
-}
-
 bool counts_to_255(const Json& colour)
 {
     return colour.is_array() && std::any_of(colour.begin(), colour.end(), [](const Json& channel) {

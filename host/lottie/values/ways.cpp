@@ -60,6 +60,13 @@ Property read_property(const Json& owner, const char* name)
     return {values, {}, {}};
 }
 
+double component(const Json& value, std::size_t index, double default_value)
+{
+    if (!value.is_array())
+        return number_of(value);
+    return index < value.size() ? number_of(value[index]) : default_value;
+}
+
 art::Ease read_ease(const FileKey& key, std::size_t index)
 {
     const Json* const out = find_member(*key.key, "o");

@@ -33,6 +33,9 @@ struct Property {
 /// Throws WrongMember.
 Property read_property(const Json& owner, const char* name);
 
+/// A component of a value; a single number represents all of them.
+double component(const Json& value, std::size_t index, double default_value);
+
 /// The ease of component `index` in the transition that leaves the key.
 art::Ease read_ease(const FileKey& key, std::size_t index);
 

@@ -6,6 +6,7 @@
 #include "host/scene_text/arrange/baking.hpp"
 #include "host/scene_text/arrange/passes.hpp"
 #include "host/scene_text/arrange/placement.hpp"
+#include "host/scene_text/values/stored_keys.hpp"
 #include "host/scene_text/values/sums.hpp"
 
 #include <algorithm>
@@ -21,16 +22,6 @@ namespace {
 using art::Channel;
 using art::Group;
 using art::Node;
-
-/// The depth of nested groups.
-int depth_of(const std::vector<Node>& nodes)
-{
-    int depth = 0;
-    for (const Node& node : nodes)
-        if (const auto* const group = std::get_if<Group>(&node.content))
-            depth = std::max(depth, 1 + depth_of(group->nodes));
-    return depth;
-}
 
 bool is_plain(const Node& node)
 {
@@ -55,17 +46,30 @@ class Depth {
 public:
     explicit Depth(const Arranging& arranging) : arranging_{arranging} {}
 
+    /// The depth of nested groups and uses; copies are in a group of their own.
+    int of(const std::vector<Node>& nodes) const
+    {
+        int depth = 0;
+        for (const Node& node : nodes)
+            if (const auto* const group = std::get_if<Group>(&node.content))
+                depth = std::max(depth, 1 + of(group->nodes));
+            else if (const auto* const use = std::get_if<art::Use>(&node.content))
+                depth =
+                    std::max(depth, (use->copies.count > 1 ? 2 : 1) + arranging_.symbols[use->symbol].depth);
+        return depth;
+    }
+
     /// `room` is how deeply groups may be nested here.
     void limit(std::vector<Node>& nodes, int room)
     {
-        if (depth_of(nodes) <= room)
+        if (of(nodes) <= room)
             return;
         for (Node& node : nodes)
             if (auto* const group = std::get_if<Group>(&node.content))
                 limit(group->nodes, std::max(room - 1, 0));
         // Groups that are only names go first.
         dissolve(nodes, [&](const Node& node) { return is_plain(node) && too_deep(node, room); });
-        if (depth_of(nodes) <= room)
+        if (of(nodes) <= room)
             return;
         for (Node& node : nodes)
             if (std::holds_alternative<Group>(node.content) && too_deep(node, room))
@@ -74,10 +78,10 @@ public:
     }
 
 private:
-    static bool too_deep(const Node& node, int room)
+    bool too_deep(const Node& node, int room) const
     {
         const auto* const group = std::get_if<Group>(&node.content);
-        return group != nullptr && 1 + depth_of(group->nodes) > room;
+        return group != nullptr && 1 + of(group->nodes) > room;
     }
 
     /// Moves what the group does into its nodes.
@@ -128,7 +132,7 @@ void add_times(const art::Transform& transform, std::vector<double>& times)
 
 class Pens {
 public:
-    explicit Pens(art::Losses& losses) : losses_{losses} {}
+    explicit Pens(const Arranging& arranging) : arranging_{arranging} {}
 
     void look_at(const std::vector<Node>& nodes)
     {
@@ -136,13 +140,20 @@ public:
             around_.push_back(&node);
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 look_at(group->nodes);
-            else if (std::get<art::Shape>(node.content).stroke)
+            else if (has_line_itself(node))
                 look_at_line();
             around_.pop_back();
         }
     }
 
 private:
+    bool has_line_itself(const Node& node) const
+    {
+        if (const auto* const use = std::get_if<art::Use>(&node.content))
+            return arranging_.symbols[use->symbol].has_line;
+        return std::get<art::Shape>(node.content).stroke.has_value();
+    }
+
     /// Checks the line of the innermost node.
     void look_at_line()
     {
@@ -155,8 +166,9 @@ private:
         if (bent == times.end())
             return;
         const bool is_later = *bent > times.front();
-        losses_.add({"a line that becomes wider one way than the other", names(),
-                     is_later ? std::optional{*bent} : std::nullopt, "it is as wide in every direction"});
+        arranging_.losses.add({"a line that becomes wider one way than the other", names(),
+                               is_later ? std::optional{*bent} : std::nullopt,
+                               "it is as wide in every direction"});
     }
 
     Affine shape(double time) const
@@ -176,29 +188,81 @@ private:
         return names;
     }
 
-    art::Losses& losses_;
+    const Arranging& arranging_;
     std::vector<const Node*> around_ = {}; ///< from the outermost
 };
 
 /// Lines of scenes are equally wide in all directions: reports those whose pen becomes wider one way than the
 /// other, by more than a twentieth, because what is around them is scaled unevenly or skewed.
-void report_bent_pens(const std::vector<Node>& nodes, art::Losses& losses) { Pens{losses}.look_at(nodes); }
-
+void report_bent_pens(const std::vector<Node>& nodes, const Arranging& arranging)
+{
+    Pens{arranging}.look_at(nodes);
 }
 
-Reach arrange(std::vector<art::Node>& nodes, const Arranging& arranging)
+Reach arrange(std::vector<Node>& nodes, const Arranging& arranging)
 {
     join_parts(nodes);
-    drop_unseen(nodes, arranging.length);
-    report_bent_pens(nodes, arranging.losses);
+    drop_unseen(nodes, arranging);
+    report_bent_pens(nodes, arranging);
     part_paints(nodes, arranging.length);
     fold(nodes);
     straighten(nodes, arranging);
     fold(nodes);
+    centre_uses(nodes, arranging);
     Reach reach;
     reach.left_alone = fit_ranges(nodes);
     limit_depth(nodes, arranging);
     reach.in_groups = hold_in_ranges(nodes, arranging.losses);
+    return reach;
+}
+
+bool has_line(const std::vector<Node>& nodes, const Arranging& arranging)
+{
+    return std::ranges::any_of(nodes, [&](const Node& node) {
+        if (const auto* const group = std::get_if<Group>(&node.content))
+            return has_line(group->nodes, arranging);
+        if (const auto* const use = std::get_if<art::Use>(&node.content))
+            return arranging.symbols[use->symbol].has_line;
+        return std::get<art::Shape>(node.content).stroke.has_value();
+    });
+}
+
+art::Extent extent_of(const std::vector<Node>& nodes, const Arranging& arranging)
+{
+    art::Extent all;
+    for (const Node& node : nodes) {
+        art::Extent content;
+        if (const auto* const group = std::get_if<Group>(&node.content))
+            content = extent_of(group->nodes, arranging);
+        else if (const auto* const use = std::get_if<art::Use>(&node.content))
+            content = copied(arranging.symbols[use->symbol].extent, use->copies);
+        else
+            content = art::extent_of(std::get<art::Shape>(node.content), {});
+        all.take(placed(content, node.transform));
+    }
+    return all;
+}
+
+ArrangedSymbol arranged(const art::Symbol& symbol, const Arranging& arranging)
+{
+    return {!symbol.nodes.empty(), has_line(symbol.nodes, arranging), Depth{arranging}.of(symbol.nodes),
+            extent_of(symbol.nodes, arranging)};
+}
+
+}
+
+Reach arrange(art::Document& document, Arranging arranging)
+{
+    draw_symbols_larger(document);
+    Reach reach;
+    const std::int32_t length = arranging.length;
+    for (art::Symbol& symbol : document.symbols) {
+        arranging.length = length_of(symbol);
+        reach.take(arrange(symbol.nodes, arranging));
+        arranging.symbols.push_back(arranged(symbol, arranging));
+    }
+    arranging.length = length;
+    reach.take(arrange(document.nodes, arranging));
     return reach;
 }
 

@@ -3,6 +3,7 @@
 #include "host/art/animation/baked_drawing.hpp"
 #include "host/art/document/document.hpp"
 #include "host/art/geometry/curves.hpp"
+#include "host/program/failure.hpp"
 #include "host/scene_text/arrange/arrange.hpp"
 #include "host/scene_text/arrange/placement.hpp"
 #include "host/scene_text/values/sums.hpp"
@@ -72,6 +73,8 @@ public:
         if (auto* const group = std::get_if<art::Group>(&node.content))
             for (Node& inner : group->nodes)
                 this->node(inner, action);
+        else if (std::holds_alternative<art::Use>(node.content))
+            throw Failure("\"" + node.name + "\" is used several times, in what leans or lies too deep");
         else
             shape(std::get<Shape>(node.content), node.name, action);
     }

@@ -112,6 +112,8 @@ bool content_can_take(const Affine& affine, const Node& node)
 {
     if (const auto* const shape = std::get_if<Shape>(&node.content))
         return can_take(affine, *shape);
+    if (std::holds_alternative<art::Use>(node.content))
+        return affine == Affine{};
     const auto can = [&](const Node& inner) { return can_take(affine, inner); };
     return std::ranges::all_of(std::get<Group>(node.content).nodes, can);
 }
@@ -120,6 +122,8 @@ void content_takes(const Affine& affine, Node& node)
 {
     if (auto* const shape = std::get_if<Shape>(&node.content))
         return take(affine, *shape);
+    if (std::holds_alternative<art::Use>(node.content))
+        return;
     for (Node& inner : std::get<Group>(node.content).nodes)
         take(affine, inner);
 }

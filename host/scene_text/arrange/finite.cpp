@@ -25,6 +25,10 @@ public:
             for (const art::Bone& bone : rig.bones)
                 check(bone);
         check(document.nodes);
+        for (const art::Symbol& symbol : document.symbols) {
+            check(symbol.frames);
+            check(symbol.nodes);
+        }
     }
 
 private:
@@ -115,6 +119,14 @@ private:
                     check(share.weight);
     }
 
+    void check(const art::Use& use) const
+    {
+        const art::Copies& copies = use.copies;
+        for (const double number :
+             {use.delay, use.speed, copies.x, copies.y, copies.rotation, copies.scale, copies.opacity})
+            check(number);
+    }
+
     void check(const std::vector<art::Node>& nodes)
     {
         for (const art::Node& node : nodes) {
@@ -124,6 +136,8 @@ private:
             check(node.opacity);
             if (const auto* const group = std::get_if<art::Group>(&node.content))
                 check(group->nodes);
+            else if (const auto* const use = std::get_if<art::Use>(&node.content))
+                check(*use);
             else
                 check(std::get<art::Shape>(node.content));
         }

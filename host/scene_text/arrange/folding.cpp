@@ -105,8 +105,18 @@ bool can_follow(const Transform& outer, const Transform& inner)
            has_sum(outer.z, inner.z);
 }
 
+/// Whether the steps of its copies are about its own (0, 0), which the anchor of another would move.
+bool has_copies(const Node& node)
+{
+    const auto* const use = std::get_if<art::Use>(&node.content);
+    return use != nullptr && use->copies.count > 1;
+}
+
 bool can_be_one(const Node& group, const Node& inner)
 {
+    if (has_copies(inner) &&
+        (group.transform.anchor_x != Channel{0} || group.transform.anchor_y != Channel{0}))
+        return false;
     return has_product(group.opacity, inner.opacity) &&
            (is_identity(group.transform) || is_identity(inner.transform) ||
             can_follow(group.transform, inner.transform));

@@ -8,6 +8,8 @@
 
 namespace kfast::scene_text {
 
+struct Arranging;
+
 /// Folds constant transforms into what they act on, wherever that looks the same: into points, widths and
 /// positions, or into transforms below. Groups that then do nothing vanish unless they have a name and more
 /// than one node; a group with one node becomes that node if one item can do what both do.
@@ -17,9 +19,16 @@ void fold(std::vector<art::Node>& nodes);
 /// line that one object cannot have together become two. The scene is `length` ticks long.
 void part_paints(std::vector<art::Node>& nodes, std::int32_t length);
 
-/// Leaves out what is never visible in a scene of that many ticks: fills and lines without opacity or width,
-/// shapes without drawings, groups without nodes.
-void drop_unseen(std::vector<art::Node>& nodes, std::int32_t length);
+/// Leaves out what is never visible: fills and lines without opacity or width, shapes without drawings,
+/// groups without nodes, uses of symbols that draw nothing.
+void drop_unseen(std::vector<art::Node>& nodes, const Arranging& arranging);
+
+/// Draws symbols larger that are used in large, and scales their uses down: so fine are their coordinates.
+void draw_symbols_larger(art::Document& document);
+
+/// Lets uses that stand still grow and turn about the middle of what they draw, if that is far from their (0,
+/// 0): there one sees how scales and rotations are rounded.
+void centre_uses(std::vector<art::Node>& nodes, const Arranging& arranging);
 
 /// Makes neighbours that are written as one group in several parts one group.
 void join_parts(std::vector<art::Node>& nodes);

@@ -1,3 +1,4 @@
+#include "host/scene_text/arrange/arrange.hpp"
 #include "host/scene_text/arrange/passes.hpp"
 
 #include "host/scene_text/values/grid.hpp"
@@ -31,14 +32,16 @@ bool is_shown(const Node& node, std::int32_t length)
     return std::ranges::any_of(keys, [](const auto& key) { return key.value; });
 }
 
-bool is_seen(Node& node, std::int32_t length)
+bool is_seen(Node& node, const Arranging& arranging)
 {
-    if (is_always_zero(node.opacity, opacities) || !is_shown(node, length))
+    if (is_always_zero(node.opacity, opacities) || !is_shown(node, arranging.length))
         return false;
     if (auto* const group = std::get_if<Group>(&node.content)) {
-        drop_unseen(group->nodes, length);
+        drop_unseen(group->nodes, arranging);
         return !group->nodes.empty();
     }
+    if (const auto* const use = std::get_if<art::Use>(&node.content))
+        return arranging.symbols[use->symbol].draws;
     auto& shape = std::get<Shape>(node.content);
     if (shape.fill && is_always_zero(shape.fill->opacity, opacities))
         shape.fill.reset();
@@ -62,9 +65,9 @@ bool are_parts(const Node& node, const Node& next)
 
 }
 
-void drop_unseen(std::vector<Node>& nodes, std::int32_t length)
+void drop_unseen(std::vector<Node>& nodes, const Arranging& arranging)
 {
-    std::erase_if(nodes, [length](Node& node) { return !is_seen(node, length); });
+    std::erase_if(nodes, [&arranging](Node& node) { return !is_seen(node, arranging); });
 }
 
 void join_parts(std::vector<Node>& nodes)

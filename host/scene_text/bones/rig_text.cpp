@@ -28,8 +28,8 @@ void collect_rigs(const std::vector<art::Node>& nodes, std::set<std::size_t>& ri
     for (const art::Node& node : nodes)
         if (const auto* const group = std::get_if<art::Group>(&node.content))
             collect_rigs(group->nodes, rigs);
-        else if (const auto& skin = std::get<art::Shape>(node.content).skin)
-            rigs.insert(skin->rig);
+        else if (const auto* const shape = std::get_if<art::Shape>(&node.content); shape && shape->skin)
+            rigs.insert(shape->skin->rig);
 }
 
 bool begins_at_tip(const Bone& bone, const Bone& parent)

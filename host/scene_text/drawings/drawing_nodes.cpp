@@ -192,10 +192,9 @@ public:
                 collect(item.children);
     }
 
-    std::vector<kdl::Node> share()
+    std::vector<kdl::Node> share(Names& names)
     {
         std::vector<kdl::Node> symbols;
-        Names names;
         for (const std::string* text : order_) {
             const Shared& shared = drawings_.at(*text);
             if (shared.keys.size() < 2)
@@ -234,11 +233,13 @@ private:
 
 }
 
-std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& items)
+std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& symbols, std::vector<kdl::Node>& items,
+                                      Names& names)
 {
     Drawings drawings;
+    drawings.collect(symbols);
     drawings.collect(items);
-    return drawings.share();
+    return drawings.share(names);
 }
 
 }

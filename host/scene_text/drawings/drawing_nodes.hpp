@@ -2,6 +2,7 @@
 
 #include "host/art/geometry/drawing.hpp"
 #include "host/kdl/document.hpp"
+#include "host/scene_text/values/writing.hpp"
 
 #include <span>
 #include <vector>
@@ -13,8 +14,9 @@ namespace kfast::scene_text {
 /// paths. `empty` for an empty drawing.
 std::vector<std::vector<kdl::Node>> shapes_of(std::span<const art::Drawing* const> drawings);
 
-/// Makes symbols of drawings that are in several keys of objects, unless they are short, and lets the keys
-/// use them. Returns the symbols.
-std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& items);
+/// Makes symbols of drawings that are in several keys of objects, of `symbols` as well, unless they are
+/// short, and lets the keys use them. Returns those that it makes; `names` are those of all symbols.
+std::vector<kdl::Node> share_drawings(std::vector<kdl::Node>& symbols, std::vector<kdl::Node>& items,
+                                      Names& names);
 
 }

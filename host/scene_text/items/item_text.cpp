@@ -286,6 +286,47 @@ kdl::Node group_node(const art::Node& node, Writing& writing)
     return group;
 }
 
+void add_copies(kdl::Node& item, const art::Copies& copies)
+{
+    if (copies.count == 1)
+        return;
+    check_step(copies.x);
+    check_step(copies.y);
+    set(item, "count", number(static_cast<std::size_t>(copies.count)));
+    const auto add = [&item](std::string_view name, double step, double ordinary) {
+        if (const kdl::Value value = exact(step); step != ordinary)
+            set(item, name, value);
+    };
+    add("x-step", copies.x, 0);
+    add("y-step", copies.y, 0);
+    add("rotate-step", copies.rotation, 0);
+    add("scale-step", copies.scale, 1);
+    add("opacity-step", copies.opacity, 0);
+}
+
+kdl::Node use_node(const art::Node& node, const Writing& writing)
+{
+    const auto& use = std::get<art::Use>(node.content);
+    kdl::Node item = named_node("use", text(writing.symbols[use.symbol]));
+    add_transform(item, node.transform, node.opacity, {}, writing);
+    if (const std::int32_t delay = on_grid(use.delay, signed_times); delay != 0)
+        set(item, "delay", number(delay, signed_times));
+    if (const std::int32_t speed = on_grid(use.speed, speeds); speed != on_grid(1, speeds))
+        set(item, "speed", number(speed, speeds));
+    add_copies(item, use.copies);
+    add_visibility(item, node, writing);
+    return item;
+}
+
+kdl::Node item_node(const art::Node& node, Writing& writing)
+{
+    if (std::holds_alternative<Shape>(node.content))
+        return object_node(node, writing);
+    if (std::holds_alternative<art::Use>(node.content))
+        return use_node(node, writing);
+    return group_node(node, writing);
+}
+
 }
 
 std::vector<kdl::Node> item_nodes(const std::vector<art::Node>& nodes, Writing& writing)
@@ -293,8 +334,7 @@ std::vector<kdl::Node> item_nodes(const std::vector<art::Node>& nodes, Writing& 
     std::vector<kdl::Node> items;
     items.reserve(nodes.size());
     for (const art::Node& node : nodes)
-        items.push_back(std::holds_alternative<art::Shape>(node.content) ? object_node(node, writing)
-                                                                         : group_node(node, writing));
+        items.push_back(item_node(node, writing));
     return items;
 }
 

@@ -8,7 +8,7 @@
 
 namespace kfast::scene_text {
 
-/// Objects and groups, in their order.
+/// Objects, groups and uses, in their order.
 std::vector<kdl::Node> item_nodes(const std::vector<art::Node>& nodes, Writing& writing);
 
 }

@@ -61,6 +61,17 @@ kdl::Value number(std::int32_t stored, const Grid& grid)
     return value;
 }
 
+kdl::Value exact(double value)
+{
+    std::string text = fixed(value, max_decimals);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.'))
+        text.pop_back();
+    kdl::Value number;
+    number.data = kdl::Number{text, value_of(text)};
+    return number;
+}
+
 kdl::Value number(std::size_t whole)
 {
     kdl::Value value;

@@ -3,6 +3,7 @@
 #include "core/math/angle.hpp"
 #include "core/scene/kfb_limits.hpp"
 #include "core/scene/property.hpp"
+#include "core/time/clock.hpp"
 #include "core/time/time.hpp"
 #include "core/time/velocity_law.hpp"
 #include "host/kdl/document.hpp"
@@ -22,6 +23,8 @@ struct Grid {
 
 inline constexpr Grid coordinates{16, 1, -2047, 2047};
 inline constexpr Grid times{Time::ticks_per_frame, 1, 0, 1'000'000};
+inline constexpr Grid signed_times{Time::ticks_per_frame, 1, -1'000'000, 1'000'000};
+inline constexpr Grid speeds{Clock::normal_speed, 1, -16, 16};
 inline constexpr Grid degrees{BinaryAngle::turn, 360, -5760, 5760};
 inline constexpr Grid scales{kfb::max_scale, 64, -64, 64};
 inline constexpr Grid shares{path_whole, 1, 0, 1};
@@ -49,5 +52,7 @@ std::string decimal(std::int32_t stored, const Grid& grid);
 
 kdl::Value number(std::int32_t stored, const Grid& grid);
 kdl::Value number(std::size_t whole);
+/// A number that is not stored as it is, to nine decimals.
+kdl::Value exact(double value);
 
 }

@@ -15,6 +15,12 @@ inline constexpr double widest_reach = 2040;
 struct Reach {
     double left_alone = 0; ///< as they are without groups that only scale their content up
     double in_groups = 0;  ///< as they are with them; beyond 2047, they are clamped
+
+    void take(const Reach& other)
+    {
+        left_alone = std::max(left_alone, other.left_alone);
+        in_groups = std::max(in_groups, other.in_groups);
+    }
 };
 
 /// How far a bone's origin may be from the set-up, so that a scene can store its distance from its parent.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 namespace kfast::scene_text {
@@ -80,6 +81,12 @@ void check_count(std::size_t keys)
                       " keys, the most in a scene; leave out some, or allow a larger --tolerance");
 }
 
+void check_step(double pixels)
+{
+    if (std::abs(pixels) > coordinates.high)
+        throw Failure("copies of something are more than 2047 pixels from each other; draw it smaller");
+}
+
 void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length)
 {
     for (std::size_t i = 1; i < ticks.size(); ++i)
@@ -103,6 +110,8 @@ namespace {
 std::int32_t ticks_within(double time, std::int32_t length) { return std::min(on_grid(time, times), length); }
 
 }
+
+std::int32_t length_of(const art::Symbol& symbol) { return std::max(on_grid(symbol.frames, times), 1); }
 
 std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length)
 {

@@ -32,6 +32,9 @@ void part_ticks(std::vector<std::int32_t>& ticks, std::int32_t length);
 /// Throws Failure if there are more keys than an item has.
 void check_count(std::size_t keys);
 
+/// Throws Failure if a coordinate cannot be that many pixels beside another one, as copies are.
+void check_step(double pixels);
+
 /// The parts of an ease of which each is a law of scenes; mostly the ease itself.
 std::vector<art::EasePart> law_parts(const art::Ease& ease);
 
@@ -93,6 +96,9 @@ auto stored_keys(const art::Animated<Value>& animated, std::int32_t length, Roun
 /// The keys of a number.
 std::vector<StoredKey<std::int32_t>> stored_keys(const art::Channel& channel, std::int32_t length,
                                                  const Grid& grid);
+
+/// In ticks; at least one.
+std::int32_t length_of(const art::Symbol& symbol);
 
 /// When a node is visible, in a scene that is `length` ticks long: begins at 0.
 std::vector<StoredKey<bool>> visible_keys(const std::vector<art::Span>& shown, std::int32_t length);

@@ -6,6 +6,7 @@
 #include "host/scene/context/limits.hpp"
 #include "host/scene/context/palette.hpp"
 #include "host/scene_text/values/nodes.hpp"
+#include "host/words/scene_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,8 @@ std::string clean_name(std::string_view name, std::string_view default_value)
     const std::string_view kept = trimmed(cut(trimmed(clean), longest));
     return std::string{kept.empty() ? default_value : kept};
 }
+
+kdl::Value loop_word(Loop loop) { return text(std::string{loop_name(loop)}); }
 
 std::string Names::unique(std::string_view name, std::string_view default_value)
 {

@@ -22,6 +22,9 @@ namespace kfast::scene_text {
 /// of it.
 std::string clean_name(std::string_view name, std::string_view default_value);
 
+/// What happens at the end of a scene or a symbol.
+kdl::Value loop_word(Loop loop);
+
 /// Names that are all different.
 class Names {
 public:
@@ -85,12 +88,15 @@ struct Writing {
     {
     }
 
-    std::int32_t length; ///< ticks
+    std::int32_t length; ///< of the scene, or of the symbol that is being written, in ticks
     art::Losses& losses;
     art::Budget& budget;
     Colours colours;
     Names object_names = {};
     std::vector<RigNames> rigs = {};
+    Names symbol_names = {};
+    std::vector<std::string> symbols =
+        {}; ///< the names of those of the document; of those without uses, empty
 };
 
 }

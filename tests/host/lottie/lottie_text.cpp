@@ -1,6 +1,5 @@
 #include "tests/host/lottie/lottie_text.hpp"
 
-#include "host/lottie/read_lottie.hpp"
 #include "host/program/failure.hpp"
 
 #include <doctest/doctest.h>
@@ -26,11 +25,17 @@ art::Document read_whole(const std::string& text)
     return document;
 }
 
-std::string failure_of(const std::string& text)
+art::Document read_written_out(const std::string& text)
+{
+    art::Losses losses;
+    return read_lottie({"a.json", text}, losses, Repeated::written_out);
+}
+
+std::string failure_of(const std::string& text, Repeated repeated)
 {
     try {
         art::Losses losses;
-        read_with(text, losses);
+        read_lottie({"a.json", text}, losses, repeated);
     } catch (const Failure& failure) {
         return failure.what();
     }

@@ -58,11 +58,11 @@ TEST_CASE("times of precompositions in each other multiply")
     CHECK(box.transform.rotate.keys[1].time == 4 + 2 * (3 + 3 * 30));
 }
 
-TEST_CASE("a composition that is used twice has parents of its own each time")
+TEST_CASE("a composition that is written twice has parents of its own each time")
 {
     const std::string inner = solid(R"("ind": 1, "parent": 2, )") + R"(,{"ty": 3, "ind": 2})";
     const art::Document document =
-        read_whole(with_assets(precomposition("") + "," + precomposition(""), inner));
+        read_written_out(with_assets(precomposition("") + "," + precomposition(""), inner));
     CHECK(group_of(document.nodes.at(0)).nodes.at(0).parent_tag !=
           group_of(document.nodes.at(1)).nodes.at(0).parent_tag);
 }
@@ -125,7 +125,7 @@ TEST_CASE("a composition that is missing, or uses itself, is refused")
           "");
 }
 
-TEST_CASE("compositions that use the next one many times are too much")
+TEST_CASE("compositions that use the next one many times are too much, if they are written out")
 {
     std::string assets;
     for (int i = 0; i < 20; ++i) {
@@ -138,7 +138,8 @@ TEST_CASE("compositions that use the next one many times are too much")
     assets += R"({"id": "c20", "layers": [])";
     const std::string text =
         animation_text(R"({"ty": 0, "ip": 0, "op": 60, "refId": "c0"})", R"("assets": [)" + assets + "}], ");
-    CHECK(failure_of(text).find("more than 65535 layers") != std::string::npos);
+    CHECK(failure_of(text, Repeated::written_out).find("more than 65535 layers") != std::string::npos);
+    CHECK(read_whole(text).symbols.size() == 20);
 }
 
 TEST_CASE("what reaches beyond a precomposition is cut or reported, if the canvas does not end there as well")

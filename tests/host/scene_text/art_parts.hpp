@@ -27,8 +27,7 @@ inline art::Shape filled(art::Animated<art::Drawing> drawing,
     return shape;
 }
 
-inline art::Node node(std::string name, std::variant<art::Shape, art::Group> content,
-                      art::Transform transform = {})
+inline art::Node node(std::string name, decltype(art::Node::content) content, art::Transform transform = {})
 {
     art::Node result;
     result.name = std::move(name);
