@@ -233,7 +233,7 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
         const double begin = path.length();
         if (!key.hold)
             path.add(curve_from(key, end_of(key, keys[i + 1])));
-        const art::Ease ease = key.hold ? art::Ease{.kind = art::EaseKind::hold} : read_ease(key, 0);
+        const art::Ease ease = read_ease(key, 0, path.length() != begin);
         ways.push_back({key.time, keys[i + 1].time, begin, path.length(), ease});
     }
     path.add(scene::line_to(spot_of(keys.back().begin)));

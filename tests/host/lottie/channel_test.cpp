@@ -28,6 +28,17 @@ art::Animated<art::Drawing> path(const char* text)
 
 }
 
+TEST_CASE("an ease beyond all numbers is refused only where something changes")
+{
+    const auto keys = [](const char* end) {
+        return std::string{R"({"p": {"k": [{"t": 0, "s": [5], "o": {"x": [0.3], "y": [217009073858475]},
+                           "i": {"x": [0.6], "y": [1]}}, {"t": 9, "s": [)"} +
+               end + "]}]}}";
+    };
+    CHECK(channel(keys("5").c_str()).at(4) == 5);
+    CHECK_THROWS_AS(channel(keys("6").c_str()), WrongMember);
+}
+
 TEST_CASE("a loop repeats the keys as long as the layer is seen")
 {
     const auto looped = [](const std::string& expression, const LayerTime& time) {
