@@ -77,6 +77,24 @@ TEST_CASE("what stands still is drawn where it is seen")
           "object box stroke=black width=2 { polygon -15 20 -15 60 -55 60 -55 20 }\n");
 }
 
+TEST_CASE("what is dashed or trimmed is measured before it is squashed")
+{
+    Transform squashed;
+    squashed.scale_x = {1.03}; // so little that nobody is told of the width of the line
+    Node dashed = red_box("box");
+    auto& shape = std::get<art::Shape>(dashed.content);
+    shape.fill.reset();
+    shape.stroke = art::StrokeStyle{};
+    shape.stroke->width = {2};
+    shape.stroke->dashes.lengths = {{4}, {6}};
+    CHECK(written_items({node("", Group{{dashed}}, squashed)}) ==
+          "object box stroke=black dash=\"4 6\" width=2 pivot-x=0 pivot-y=0 scale-x=1.03 { rect 10 10 20 20 }\n");
+    shape.stroke->dashes = {};
+    shape.trim = art::Trim{};
+    shape.trim->end = rising(0, 1);
+    CHECK(written_items({node("", Group{{dashed}}, squashed)}).find(" scale-x=1.03") != std::string::npos);
+}
+
 TEST_CASE("what turns turns about where it is seen")
 {
     Transform turning;
