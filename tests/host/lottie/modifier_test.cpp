@@ -218,6 +218,14 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
     CHECK(many.losses.list()[0].feature == "too many dashes");
 }
 
+TEST_CASE("dashes that are too fine for a moment are those of the scene")
+{
+    const std::string growing = even("[0.02]", "[20]");
+    const ReadShapes read = read_shapes(dashed_line(dash("d", growing) + ", " + dash("g", growing)));
+    CHECK(read.losses.empty());
+    CHECK(shape(read.nodes.at(0)).stroke->dashes.lengths.size() == 2);
+}
+
 TEST_CASE("too many dashes to move stand still")
 {
     const std::string lengths = eight(R"({"k": 0.25})", R"({"k": 0.25})") + ", ";

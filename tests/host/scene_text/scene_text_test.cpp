@@ -130,6 +130,19 @@ TEST_CASE("lengths of dashes that go by different eases are sampled, others keep
     CHECK(sampled.find("key 39.999 law=hold dash=\"24 8\"\n    key 40 dash=\"24 2\"") != std::string::npos);
 }
 
+TEST_CASE("dashes are a whole line while they are too many, and always if they are never long enough")
+{
+    const art::Channel shrinking{{{0, 20, {}}, {60, 0, {}}}};
+    const art::Channel growing{{{0, 0, {}}, {60, 20, {}}}};
+    CHECK(written_items({dashed_box({growing, shrinking})}).find("key 0 dash=\"0 20\"") != std::string::npos);
+    const art::Channel held{{{0, 0.1, {.kind = EaseKind::hold}}, {30, 20, {}}}};
+    Node large = dashed_box({held, growing});
+    std::get<art::Shape>(large.content).drawing = {box(10, 10, 900, 800)};
+    CHECK(written_items({large}).find("key 0 dash=\"0 0\"") != std::string::npos);
+    art::Document fine = document({dashed_box({{0.1}, art::Channel{{{0, 0, {}}, {60, 0.1, {}}}}})});
+    CHECK(loss_of(fine) == "dashes and gaps shorter than 1/4 px together");
+}
+
 TEST_CASE("what is dashed or trimmed is measured before it is squashed")
 {
     Transform squashed;
