@@ -14,6 +14,19 @@ bool operator==(const Node& left, const Node& right)
            left.shown == right.shown && left.parent_tag == right.parent_tag && left.content == right.content;
 }
 
+double period_at(const Dashes& dashes, double time)
+{
+    double period = 0;
+    for (const Channel& length : dashes.lengths)
+        period += std::max(0.0, length.at(time));
+    return period;
+}
+
+bool has_still_lengths(const Dashes& dashes)
+{
+    return std::ranges::all_of(dashes.lengths, [](const Channel& length) { return length.is_still(); });
+}
+
 namespace {
 
 double direction_along(const scene::Outline& path, double share)

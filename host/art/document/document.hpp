@@ -43,11 +43,17 @@ struct Fill {
 /// How a line is broken, as in SVG and Lottie.
 struct Dashes {
     static constexpr std::size_t max_lengths = 6; ///< that a scene has (core/math/dashes.hpp)
+    static constexpr double finest_period = 0.25; ///< pixels; shorter ones are as good as an even line
 
     std::vector<Channel> lengths; ///< of dashes and gaps alternately, in pixels; none: no dashes
     Channel offset = {0};         ///< how far into the pattern each outline begins, in pixels
     friend bool operator==(const Dashes&, const Dashes&) = default;
 };
+
+/// The sum of the lengths at a time. Between keys they may go below 0, which is 0.
+double period_at(const Dashes& dashes, double time);
+/// Whether none of the lengths changes.
+bool has_still_lengths(const Dashes& dashes);
 
 /// Along a drawing.
 struct StrokeStyle {

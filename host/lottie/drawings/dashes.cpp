@@ -91,7 +91,7 @@ struct Pattern {
     double offset = 0;
 };
 
-/// Nothing if that is a solid line: without gaps, or without length.
+/// Nothing if that is a solid line: without gaps, without length, or too fine for a moment.
 std::optional<Pattern> pattern_at(const Dashes& dashes, double time)
 {
     Pattern pattern;
@@ -102,7 +102,8 @@ std::optional<Pattern> pattern_at(const Dashes& dashes, double time)
         pattern.sum += pattern.lengths.back();
         gaps += i % 2 == 0 ? 0 : pattern.lengths.back();
     }
-    if (!(gaps > 0))
+    const bool is_fine = pattern.sum < Dashes::finest_period && !has_still_lengths(dashes);
+    if (!(gaps > 0) || is_fine)
         return std::nullopt;
     const double offset = dashes.offset.at(time);
     pattern.offset = offset - std::floor(offset / pattern.sum) * pattern.sum;

@@ -22,6 +22,7 @@ Stretch stretch_at(const Trim& trim, double time)
 {
     const double turn = trim.offset.at(time);
     const double offset = turn - std::floor(turn);
+    // Eases may swing beyond.
     const double start = std::clamp(trim.start.at(time), 0.0, 1.0);
     const double end = std::clamp(trim.end.at(time), 0.0, 1.0);
     return {std::min(start, end) + offset, std::max(start, end) + offset};

@@ -1,5 +1,6 @@
 #include "host/lottie/shapes/shapes.hpp"
 
+#include "host/art/animation/clamped_channel.hpp"
 #include "host/lottie/drawings/modifiers.hpp"
 #include "host/lottie/values/json.hpp"
 #include "host/text/characters.hpp"
@@ -68,8 +69,11 @@ art::Trim read_trim(const Json& item, const Reading& reading)
     const auto channel = [&](const char* name, double default_value, double factor) {
         return read_channel(item, name, 0, default_value, factor, reading.time, reading.budget);
     };
+    const auto share = [&](const char* name, double default_value) {
+        return art::clamped(channel(name, default_value, 0.01), 0, 1);
+    };
     constexpr int one_after_another = 2;
-    return {channel("s", 0, 0.01), channel("e", 1, 0.01), channel("o", 0, 1.0 / 360),
+    return {share("s", 0), share("e", 1), channel("o", 0, 1.0 / 360),
             whole_at(item, "m", 1) == one_after_another};
 }
 

@@ -174,11 +174,25 @@ Vec2 spot_of(const Json* value)
 
 Vec2 tangent(const FileKey& key, const char* name) { return spot_of(find_member(*key.key, name)); }
 
+Vec2 end_of(const FileKey& key, const FileKey& next) { return spot_of(key.end ? key.end : next.begin); }
+
+/// Programs also write tangents to straight ways, rounded to 1/1000 px.
+bool is_bent(const FileKey& key, Vec2 to)
+{
+    constexpr double tolerance = 1.0 / 128;
+    const Vec2 from = spot_of(key.begin);
+    const auto lies_between = [&](Vec2 control) {
+        return scene::distance_to_line(control, from, to) <= tolerance;
+    };
+    return !lies_between(from + tangent(key, "to")) || !lies_between(to + tangent(key, "ti"));
+}
+
 bool is_bent(const std::vector<FileKey>& keys)
 {
-    return std::any_of(keys.begin(), keys.end() - 1, [](const FileKey& key) {
-        return !key.hold && !(equal(tangent(key, "to"), {}) && equal(tangent(key, "ti"), {}));
-    });
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i)
+        if (!keys[i].hold && is_bent(keys[i], end_of(keys[i], keys[i + 1])))
+            return true;
+    return false;
 }
 
 /// A path that is extended by the curves between keys, and by a line wherever the position jumps.
@@ -225,8 +239,8 @@ std::vector<Way<double>> grow_along(GrowingPath& path, const std::vector<FileKey
             continue;
         const double begin = path.length();
         if (!key.hold)
-            path.add(curve_from(key, spot_of(key.end ? key.end : keys[i + 1].begin)));
-        const art::Ease ease = key.hold ? art::Ease{.kind = art::EaseKind::hold} : read_ease(key, 0);
+            path.add(curve_from(key, end_of(key, keys[i + 1])));
+        const art::Ease ease = read_ease(key, 0, path.length() != begin);
         ways.push_back({key.time, keys[i + 1].time, begin, path.length(), ease});
     }
     path.add(scene::line_to(spot_of(keys.back().begin)));

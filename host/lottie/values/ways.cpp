@@ -2,6 +2,8 @@
 
 #include "host/lottie/values/json.hpp"
 
+#include <cmath>
+
 namespace kfast::lottie {
 namespace {
 
@@ -29,17 +31,26 @@ std::vector<FileKey> read_keys(const Json& list)
     return keys;
 }
 
-/// The x or the y of a handle, which is a number or one for each component.
-double handle(const Json* owner, const char* name, std::size_t index, double default_value)
+/// The x or the y of a handle, which is a number or one for each component. Null if there is none.
+const Json* find_handle(const Json* owner, const char* name, std::size_t index)
 {
     const Json* const value = owner ? find_member(*owner, name) : nullptr;
-    if (!value)
-        return default_value;
-    if (!value->is_array())
-        return number_of(*value);
+    if (!value || !value->is_array())
+        return value;
     if (value->empty())
-        return default_value;
-    return number_of((*value)[index < value->size() ? index : 0]);
+        return nullptr;
+    return &(*value)[index < value->size() ? index : 0];
+}
+
+double handle(const Json* owner, const char* name, std::size_t index, double default_value)
+{
+    const Json* const value = find_handle(owner, name, index);
+    return value ? number_of(*value) : default_value;
+}
+
+bool is_beyond_all(const Json* handle)
+{
+    return handle && handle->is_number() && !(std::abs(handle->get<double>()) <= largest_number);
 }
 
 }
@@ -67,10 +78,15 @@ double component(const Json& value, std::size_t index, double default_value)
     return index < value.size() ? number_of(value[index]) : default_value;
 }
 
-art::Ease read_ease(const FileKey& key, std::size_t index)
+art::Ease read_ease(const FileKey& key, std::size_t index, bool changes)
 {
+    if (key.hold)
+        return {.kind = art::EaseKind::hold};
     const Json* const out = find_member(*key.key, "o");
     const Json* const in = find_member(*key.key, "i");
+    if (!changes &&
+        (is_beyond_all(find_handle(out, "y", index)) || is_beyond_all(find_handle(in, "y", index))))
+        return {};
     const art::Ease ease{.kind = art::EaseKind::cubic,
                          .x1 = std::clamp(handle(out, "x", index, 0), 0.0, 1.0),
                          .y1 = handle(out, "y", index, 0),

@@ -36,8 +36,9 @@ Property read_property(const Json& owner, const char* name);
 /// A component of a value; a single number represents all of them.
 double component(const Json& value, std::size_t index, double default_value);
 
-/// The ease of component `index` in the transition that leaves the key.
-art::Ease read_ease(const FileKey& key, std::size_t index);
+/// The ease of component `index` in the transition that leaves the key: a hold, too. Where nothing changes,
+/// programs write handles beyond all numbers; those are even there.
+art::Ease read_ease(const FileKey& key, std::size_t index, bool changes);
 
 /// The transition of a value from one time to another. The one before the first key and the one after the
 /// last are endless.
@@ -62,8 +63,7 @@ std::vector<Way<Value>> read_ways(const std::vector<FileKey>& keys, std::size_t 
         Value next = value_of(*keys[i + 1].begin);
         if (keys[i + 1].time > keys[i].time) {
             const Value end = keys[i].hold ? begin : keys[i].end ? value_of(*keys[i].end) : next;
-            const art::Ease ease =
-                keys[i].hold ? art::Ease{.kind = art::EaseKind::hold} : read_ease(keys[i], index);
+            const art::Ease ease = read_ease(keys[i], index, !(begin == end));
             ways.push_back({keys[i].time, keys[i + 1].time, begin, end, ease});
         }
         begin = std::move(next);

@@ -90,9 +90,22 @@ void take(const Affine& affine, Transform& transform)
     transform.scale_y = scaled(transform.scale_y, placement.scale_y);
 }
 
+/// Dashes and trims are measured along what is drawn, before it is placed.
+bool is_measured(const Shape& shape)
+{
+    return shape.trim || (shape.stroke && !shape.stroke->dashes.lengths.empty());
+}
+
+bool keeps_proportions(const Affine& affine)
+{
+    const auto placement = placement_of(affine);
+    return placement && placement->is_even();
+}
+
 bool can_take(const Affine& affine, const Shape& shape)
 {
-    return !shape.skin && (!shape.stroke || affine.determinant() != 0);
+    return !shape.skin && (!shape.stroke || affine.determinant() != 0) &&
+           (!is_measured(shape) || keeps_proportions(affine));
 }
 
 void take(const Affine& affine, Shape& shape)

@@ -74,6 +74,16 @@ double distance_of(const Transform& transform)
     return std::max(farthest(transform.x, transform.anchor_x), farthest(transform.y, transform.anchor_y));
 }
 
+/// At any key.
+double longest_period(const art::Dashes& dashes)
+{
+    double longest = 0;
+    for (const Channel& length : dashes.lengths)
+        for (const auto& key : length.keys)
+            longest = std::max(longest, period_at(dashes, key.time));
+    return longest;
+}
+
 /// The power of two that brings `reach` within bounds.
 double shrink_for(double reach) { return std::exp2(std::ceil(std::log2(reach / widest_reach))); }
 
@@ -170,17 +180,13 @@ private:
             lose("a line wider than 4095 px", node);
     }
 
-    /// Patterns that are as good as an even line, and would be more dashes than a player draws.
+    /// Patterns that are as good as an even line all the time, and would be more dashes than a player draws.
     void drop_fine_dashes(Node& node) const
     {
-        constexpr double finest = 0.25; // px
         auto* const shape = std::get_if<Shape>(&node.content);
         if (shape == nullptr || !shape->stroke || shape->stroke->dashes.lengths.empty())
             return;
-        double period = 0;
-        for (const Channel& length : shape->stroke->dashes.lengths)
-            period += std::ranges::min(length.keys, {}, &art::Key<double>::value).value;
-        if (period >= finest)
+        if (longest_period(shape->stroke->dashes) >= art::Dashes::finest_period)
             return;
         shape->stroke->dashes = {};
         losses_->add({"dashes and gaps shorter than 1/4 px together", node.name, {}, "a whole line"});

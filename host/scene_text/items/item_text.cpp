@@ -5,6 +5,7 @@
 #include "host/scene_text/bones/rig_text.hpp"
 #include "host/scene_text/drawings/drawing_nodes.hpp"
 #include "host/scene_text/drawings/stored_drawings.hpp"
+#include "host/scene_text/items/dash_text.hpp"
 #include "host/scene_text/items/track_text.hpp"
 #include "host/scene_text/values/nodes.hpp"
 #include "host/scene_text/values/stored_keys.hpp"
@@ -92,35 +93,49 @@ private:
             set(object_, "miter", number(miter, miters));
     }
 
-    /// All lengths stand in one text, so keys are wherever one of them has a key.
+    /// The first value stands in the object, as other keys may begin earlier.
     void add_dashes()
     {
-        if (!shape_.stroke)
+        if (!has_dashes())
             return;
-        std::map<std::int32_t, std::string> laws;
-        for (const art::Channel& length : shape_.stroke->dashes.lengths)
-            if (const NumberKeys keys = stored_keys(length, writing_.length, dash_lengths); keys.size() > 1)
-                for (const auto& key : keys)
-                    laws.emplace(key.ticks, key.law);
-        if (laws.empty() && has_dashes())
-            set(object_, "dash", text(dash_text(0)));
-        for (const auto& [ticks, law] : laws) {
-            Moment& moment = moments_[ticks];
-            moment.dash = dash_text(static_cast<double>(ticks) / Time::ticks_per_frame);
-            if (ticks != laws.rbegin()->first && !moment.paint_law)
-                moment.paint_law = law;
-        }
+        const DashKeys keys = dash_keys(shape_, writing_);
+        set(object_, "dash", text(keys.front().value));
+        if (keys.size() > 1)
+            for (const auto& [ticks, key] : among_paints(keys)) {
+                Moment& moment = moments_[ticks];
+                moment.dash = key->value;
+                if (key != &keys.back())
+                    moment.paint_law = key->law;
+            }
     }
 
     bool has_dashes() const { return shape_.stroke && !shape_.stroke->dashes.lengths.empty(); }
 
-    std::string dash_text(double time) const
+    using PlacedKeys = std::map<std::int32_t, const DashKeys::value_type*>;
+
+    /// The keys by their ticks: where a colour goes by another law from there on, a tick earlier, and at the
+    /// beginning a tick later. They are placed from the last one on, which begins nothing.
+    PlacedKeys among_paints(const DashKeys& keys) const
     {
-        std::string lengths;
-        for (const art::Channel& length : shape_.stroke->dashes.lengths)
-            lengths +=
-                (lengths.empty() ? "" : " ") + decimal(on_grid(length.at(time), dash_lengths), dash_lengths);
-        return lengths;
+        PlacedKeys placed{{keys.back().ticks, &keys.back()}};
+        for (auto key = std::next(keys.rbegin()); key != keys.rend(); ++key) {
+            const std::int32_t next = placed.begin()->first;
+            std::int32_t ticks = std::min(key->ticks, next - 1);
+            while (ticks >= 0 && !allows(ticks, key->law))
+                --ticks;
+            if (ticks < 0)
+                for (ticks = 1; ticks < next && !allows(ticks, key->law);)
+                    ++ticks;
+            placed.emplace(ticks, &*key); // what has no room is left out
+        }
+        return placed;
+    }
+
+    /// Whether colours have no key there that goes by another law.
+    bool allows(std::int32_t ticks, const std::string& law) const
+    {
+        const auto moment = moments_.find(ticks);
+        return moment == moments_.end() || moment->second.paint_law.value_or(law) == law;
     }
 
     void add_dash_offset()

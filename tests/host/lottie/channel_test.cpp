@@ -28,6 +28,17 @@ art::Animated<art::Drawing> path(const char* text)
 
 }
 
+TEST_CASE("an ease beyond all numbers is refused only where something changes")
+{
+    const auto keys = [](const char* end) {
+        return std::string{R"({"p": {"k": [{"t": 0, "s": [5], "o": {"x": [0.3], "y": [217009073858475]},
+                           "i": {"x": [0.6], "y": [1]}}, {"t": 9, "s": [)"} +
+               end + "]}]}}";
+    };
+    CHECK(channel(keys("5").c_str()).at(4) == 5);
+    CHECK_THROWS_AS(channel(keys("6").c_str()), WrongMember);
+}
+
 TEST_CASE("a loop repeats the keys as long as the layer is seen")
 {
     const auto looped = [](const std::string& expression, const LayerTime& time) {
@@ -55,6 +66,10 @@ TEST_CASE("a loop repeats the keys as long as the layer is seen")
     CHECK(before.at(-5) == 4);
     CHECK(before.at(-25) == 4);
     CHECK(before.at(60) == 4);
+    for (const char* const same : {"var $bm_rt;\\n$bm_rt = loopOut('Cycle');", "thisProperty.loopOut('CYCLE') ;",
+                                   "$bm_rt = loopOut ( 'cycle' , 0 );\\n"})
+        CHECK(looped(same, seen) == cycle);
+    CHECK(looped("loopOut('PingPong')", seen) == there_and_back);
     CHECK(looped("loopOut('offset')", seen).keys.size() == 3);
     CHECK(looped("loopOut()", {}).keys.size() == 3); // it is not known how long it is seen
     CHECK(looped("loopIn()", {.start = 100, .stretch = -1, .seen = {0, 200}}).at(115) == 6);

@@ -1,6 +1,7 @@
 #include "host/art/geometry/curves.hpp"
 #include "tests/host/lottie/shape_list.hpp"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -80,6 +81,26 @@ TEST_CASE("a trim that moves is one of the shape, where all paths of a stroke ha
     CHECK_FALSE(is_trimmed(circle + moving + moving.substr(2) + stroke)); // trimmed twice
     CHECK_FALSE(is_trimmed(circle + moving + rounded + stroke));          // changed afterwards
     CHECK_FALSE(is_trimmed(circle + trim(R"("e": {"k": 50})") + stroke)); // stands still
+}
+
+TEST_CASE("a trim that goes beyond the ends has its keys where it comes to them")
+{
+    const std::string eased =
+        R"({"a": 1, "k": [{"t": 0, "s": [-50], "o": {"x": [0.6], "y": [0]}, "i": {"x": [0.4], "y": [1]}},
+                          {"t": 10, "s": [150]}]})";
+    const ReadShapes read =
+        read_shapes(circle + trim(R"("s": )" + eased + R"(, "e": )" + even("[-100]", "[100]")) + stroke);
+    REQUIRE(shape(read.nodes.at(0)).trim);
+    const art::Channel& even_one = shape(read.nodes[0]).trim->end;
+    REQUIRE(even_one.keys.size() == 3);
+    CHECK(even_one.keys[1].time == doctest::Approx(5));
+    CHECK(even_one.at(7.5) == doctest::Approx(0.5));
+    const art::Channel& start = shape(read.nodes[0]).trim->start;
+    REQUIRE(start.keys.size() == 4);
+    const art::Ease ease{.kind = art::EaseKind::cubic, .x1 = 0.6, .y1 = 0, .x2 = 0.4, .y2 = 1};
+    for (double time = 0; time <= 10; time += 0.25)
+        CHECK(start.at(time) ==
+              doctest::Approx(std::clamp(2 * art::share_of_way(ease, time / 10) - 0.5, 0.0, 1.0)));
 }
 
 TEST_CASE("a trim that moves is right at all times, and draws nothing where nothing is left")
@@ -195,6 +216,14 @@ TEST_CASE("dashes without length are dots, and too many dashes are one line")
     CHECK(shape(many.nodes[0]).drawing.value().outlines.size() == 1);
     REQUIRE(many.losses.list().size() == 1);
     CHECK(many.losses.list()[0].feature == "too many dashes");
+}
+
+TEST_CASE("dashes that are too fine for a moment are those of the scene")
+{
+    const std::string growing = even("[0.02]", "[20]");
+    const ReadShapes read = read_shapes(dashed_line(dash("d", growing) + ", " + dash("g", growing)));
+    CHECK(read.losses.empty());
+    CHECK(shape(read.nodes.at(0)).stroke->dashes.lengths.size() == 2);
 }
 
 TEST_CASE("too many dashes to move stand still")

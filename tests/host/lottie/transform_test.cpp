@@ -99,6 +99,22 @@ TEST_CASE("a position with tangents is a path, and its keys are shares of the le
     CHECK(keys[2].value == doctest::Approx((length + 40) / (length + 80)).epsilon(1e-6));
 }
 
+TEST_CASE("a position with tangents that lie on the way from key to key is straight")
+{
+    const auto has_path = [](const std::string& tangents, const std::string& end) {
+        return transform(R"("p": {"a": 1, "k": [{"t": 0, "s": [2, 0], )" + tangents +
+                         R"(, "o": {"x": 0.4, "y": 0}, "i": {"x": 0.6, "y": 1}}, {"t": 10, "s": )" + end +
+                         "}]}")
+            .path.has_value();
+    };
+    CHECK_FALSE(has_path(R"("to": [2.1667, 0], "ti": [-2.1667, 0])", "[15, 0]"));
+    CHECK_FALSE(has_path(R"("to": [3.333, 1.667], "ti": [-3.333, -1.667])", "[12, 5]"));
+    CHECK_FALSE(has_path(R"("to": [0, 0], "ti": [0, 0])", "[2, 0]"));
+    CHECK(has_path(R"("to": [2, 0.1], "ti": [-2, 0])", "[15, 0]"));
+    CHECK(has_path(R"("to": [-2, 0], "ti": [-2, 0])", "[15, 0]")); // first back, then forth
+    CHECK(has_path(R"("to": [5, 0], "ti": [5, 0])", "[2, 0]"));    // forth and back
+}
+
 TEST_CASE("a layer that points along its path has one, straight or not")
 {
     const char* const moving = R"("p": {"a": 1, "k": [{"t": 0, "s": [0, 0]}, {"t": 10, "s": [0, 40]}]})";
