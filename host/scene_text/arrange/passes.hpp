@@ -33,6 +33,10 @@ void centre_uses(std::vector<art::Node>& nodes, const Arranging& arranging);
 /// Makes neighbours that are written as one group in several parts one group.
 void join_parts(std::vector<art::Node>& nodes);
 
+/// Takes whole periods away from an offset of dashes that is out of range, if their lengths stand still: it
+/// jumps wherever more has come together. One that goes on for too long is left as it is.
+void reduce_offset(art::Dashes& dashes);
+
 /// Brings numbers into the ranges of scenes: what is drawn too large is drawn smaller and scaled up, what is
 /// drawn too small for its scale is drawn larger, and what moves too far moves in a group that is scaled up.
 /// Returns the greatest coordinate, in pixels, that there would be without such groups.

@@ -114,6 +114,8 @@ private:
         const double distance = distance_of(node.transform);
         reach_ = std::max({reach_, reach_of(node), distance});
         if (losses_ != nullptr) {
+            if (auto* const shape = std::get_if<Shape>(&node.content); shape != nullptr && shape->stroke)
+                reduce_offset(shape->stroke->dashes);
             check(node);
             drop_fine_dashes(node);
         } else if (distance > widest_reach)
@@ -175,9 +177,11 @@ private:
         if (reach_of(node) > coordinates.high || distance_of(transform) > coordinates.high ||
             exceeds(transform.z, coordinates))
             lose("coordinates beyond 2047 px", node);
-        if (const auto* const shape = std::get_if<Shape>(&node.content);
-            shape != nullptr && shape->stroke && exceeds(shape->stroke->width, widths))
+        const auto* const shape = std::get_if<Shape>(&node.content);
+        if (shape != nullptr && shape->stroke && exceeds(shape->stroke->width, widths))
             lose("a line wider than 4095 px", node);
+        if (shape != nullptr && shape->stroke && exceeds(shape->stroke->dashes.offset, dash_offsets))
+            lose("an offset of dashes beyond 16384 px", node);
     }
 
     /// Patterns that are as good as an even line all the time, and would be more dashes than a player draws.

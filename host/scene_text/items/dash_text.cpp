@@ -21,7 +21,8 @@ constexpr double tolerance = 1.0 / dash_pixel;
 /// Each length is the x of a spot.
 class Lengths {
 public:
-    Lengths(const std::vector<Channel>& lengths, const Writing& writing) : lengths_{lengths}, writing_{writing}
+    Lengths(const std::vector<Channel>& lengths, const Writing& writing)
+        : lengths_{lengths}, writing_{writing}
     {
         for (const Channel& length : lengths)
             if (stored_keys(length, writing.length, dash_lengths).size() > 1)

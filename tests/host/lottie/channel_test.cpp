@@ -66,8 +66,8 @@ TEST_CASE("a loop repeats the keys as long as the layer is seen")
     CHECK(before.at(-5) == 4);
     CHECK(before.at(-25) == 4);
     CHECK(before.at(60) == 4);
-    for (const char* const same : {"var $bm_rt;\\n$bm_rt = loopOut('Cycle');", "thisProperty.loopOut('CYCLE') ;",
-                                   "$bm_rt = loopOut ( 'cycle' , 0 );\\n"})
+    for (const char* const same : {"var $bm_rt;\\n$bm_rt = loopOut('Cycle');",
+                                   "thisProperty.loopOut('CYCLE') ;", "$bm_rt = loopOut ( 'cycle' , 0 );\\n"})
         CHECK(looped(same, seen) == cycle);
     CHECK(looped("loopOut('PingPong')", seen) == there_and_back);
     CHECK(looped("loopOut('offset')", seen).keys.size() == 3);
