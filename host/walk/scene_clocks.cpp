@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::int64_t one = Clock::normal_speed;
 
-/// How long a clock that repeats or turns back takes until it shows the same again, in ticks of what it reads.
+/// How long a clock that repeats or turns back takes until it shows the same again, in ticks of what it
+/// reads.
 std::int64_t period_of(const Clock& clock)
 {
     const std::int64_t passes = clock.loop == Loop::ping_pong ? 2 : 1;

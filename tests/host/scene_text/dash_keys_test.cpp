@@ -76,7 +76,7 @@ TEST_CASE("dashes are a whole line while they are too many, and always if they a
     const art::Channel growing_late{{{0, 0, {.kind = EaseKind::hold}}, {30, 10, {}}, {60, 20, {}}}};
     Node large = dashed_box({held, growing_late});
     std::get<art::Shape>(large.content).drawing = {box(10, 10, 900, 800)};
-    CHECK(written_items({large}).find("key 0 dash=\"0 0\"") != std::string::npos);
+    CHECK(written_items({large}).find("key 0 law=hold dash=\"0 0\"") != std::string::npos);
     art::Document fine = document({dashed_box({{0.1}, art::Channel{{{0, 0, {}}, {60, 0.1, {}}}}})});
     CHECK(loss_of(fine) == "dashes and gaps shorter than 1/4 px together");
 }

@@ -67,7 +67,8 @@ TEST_CASE("what clocks first come to, they show then and not a tick before")
 
 TEST_CASE("a clock that goes by another goes by the scene's time in the end")
 {
-    const auto bytes = scene_of("symbol t frames=20 { use s delay=3 loop=repeat }\nuse t delay=1 loop=repeat\n");
+    const auto bytes =
+        scene_of("symbol t frames=20 { use s delay=3 loop=repeat }\nuse t delay=1 loop=repeat\n");
     const SceneClocks clocks{*SceneView::parse(bytes)};
     REQUIRE(clocks.count() == 2);
     CHECK(clocks.root_of(1) == 0);
