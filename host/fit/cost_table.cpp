@@ -24,209 +24,209 @@ static_assert(kinds == op_names, "the kinds of work have changed: scripts/calibr
 constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
-        .code = 90520,
-        .bare_code = 60448,
-        .feature_code = {2520, 5328, 4680, 5948, 2216, 4164, 884, 616, 2324, 1500, 5920, 516},
+        .code = 91200,
+        .bare_code = 61000,
+        .feature_code = {1968, 4776, 4128, 5396, 1664, 3612, 332, 64, 1772, 948, 5368, 0},
         .fixed_ram = 4,
-        .stack = 6656,
+        .stack = 6664,
         .cycles = 1.68,
         .frame = 905,
-        .area = 525,
+        .area = 532,
         .work =
             std::to_array<double>({
-                2048.2, // picture
-                125.1, // timeline
-                1115.5, // key
-                613.0, // item
-                800.0, // track
-                1845.0, // placement
-                620.2, // law
-                2711.9, // bezier_law
-                2266.7, // bone
+                2048.4, // picture
+                123.6, // timeline
+                1140.0, // key
+                615.3, // item
+                852.2, // track
+                1580.8, // placement
+                627.2, // law
+                2733.7, // bezier_law
+                2214.7, // bone
                 0.0, // object
-                1481.4, // stroke
-                752.7, // segment
-                2.0, // line
-                272.9, // curve
-                1069.6, // split
-                131.3, // point
+                1433.2, // stroke
+                757.8, // segment
+                0.0, // line
+                275.2, // curve
+                1057.5, // split
+                138.4, // point
                 0.0, // wide_point
-                945.0, // projected_point
-                197.5, // carried_point
-                613.2, // bent_point
-                90.7, // piece
-                510.2, // pen_piece
-                137.9, // bend
+                934.3, // projected_point
+                198.9, // carried_point
+                618.1, // bent_point
+                73.0, // piece
+                481.4, // pen_piece
+                174.5, // bend
                 0.0, // slight_bend
-                179.9, // placed_corner
-                229.3, // corner
-                691.1, // chain
-                7.1, // crossing
-                53.2, // kept_chain
-                354.5, // step
-                81.5, // passed_band
+                185.4, // placed_corner
+                248.5, // corner
+                680.3, // chain
+                6.6, // crossing
+                53.1, // kept_chain
+                355.5, // step
+                81.4, // passed_band
                 0.0, // passed_border
-                507.2, // band
-                364.2, // band_chain
-                409.5, // straight_chain
-                63.2, // border
-                303.9, // region
-                131.8, // edge_row
-                9.6, // flat_pixel
-                39.1, // chain_visit
-                484.7, // layer
+                505.3, // band
+                365.9, // band_chain
+                415.9, // straight_chain
+                63.4, // border
+                297.1, // region
+                129.3, // edge_row
+                9.8, // flat_pixel
+                41.4, // chain_visit
+                516.6, // layer
                 0.0, // layer_row
-                132.9, // layer_edge
-                294.3, // bent_edge
-                349.1, // sum_row
-                191.4, // row_chain
-                161.1, // sum_part
-                13.4, // sum_pixel
+                121.5, // layer_edge
+                306.9, // bent_edge
+                377.6, // sum_row
+                186.8, // row_chain
+                159.3, // sum_part
+                12.8, // sum_pixel
                 0.0, // edge_group
-                149.0, // line_crossing
-                61.0, // span
-                4.3, // fill
+                147.8, // line_crossing
+                62.9, // span
+                5.1, // fill
                 0.3, // filled_pixel
-                32.7, // blended_pixel
-                54.2, // faded_pixel
+                32.8, // blended_pixel
+                54.1, // faded_pixel
             }),
     },
     // cortex-m3
     {
-        .code = 87384,
+        .code = 88144,
         .bare_code = 58080,
         .feature_code = {2648, 5088, 4608, 5812, 2160, 3896, 844, 544, 2232, 1520, 5792, 480},
         .fixed_ram = 4,
-        .stack = 6320,
+        .stack = 6280,
         .cycles = 1.80,
         .frame = 441,
-        .area = 406,
+        .area = 413,
         .work =
             std::to_array<double>({
-                1575.7, // picture
-                98.6, // timeline
-                993.7, // key
-                512.7, // item
-                469.7, // track
-                1492.1, // placement
-                267.5, // law
-                1658.9, // bezier_law
-                1734.2, // bone
+                1575.8, // picture
+                97.8, // timeline
+                1018.1, // key
+                516.0, // item
+                514.3, // track
+                1274.2, // placement
+                271.2, // law
+                1680.0, // bezier_law
+                1673.1, // bone
                 0.0, // object
-                1047.6, // stroke
-                506.5, // segment
+                967.7, // stroke
+                508.5, // segment
                 0.0, // line
-                266.8, // curve
-                884.9, // split
-                93.4, // point
+                269.6, // curve
+                879.1, // split
+                99.1, // point
                 0.0, // wide_point
-                410.8, // projected_point
-                166.3, // carried_point
-                528.3, // bent_point
-                74.8, // piece
-                334.8, // pen_piece
-                17.0, // bend
+                409.4, // projected_point
+                170.4, // carried_point
+                535.3, // bent_point
+                52.9, // piece
+                314.5, // pen_piece
+                41.6, // bend
                 0.0, // slight_bend
-                118.1, // placed_corner
-                166.6, // corner
-                528.0, // chain
-                7.2, // crossing
-                40.9, // kept_chain
-                264.9, // step
-                56.6, // passed_band
+                124.5, // placed_corner
+                191.0, // corner
+                511.1, // chain
+                6.7, // crossing
+                40.8, // kept_chain
+                265.7, // step
+                56.4, // passed_band
                 0.0, // passed_border
-                400.8, // band
-                312.4, // band_chain
-                350.1, // straight_chain
-                50.4, // border
-                258.9, // region
-                95.4, // edge_row
-                2.3, // flat_pixel
-                32.5, // chain_visit
-                372.0, // layer
+                399.3, // band
+                313.7, // band_chain
+                355.5, // straight_chain
+                50.6, // border
+                253.1, // region
+                93.3, // edge_row
+                2.5, // flat_pixel
+                34.5, // chain_visit
+                399.0, // layer
                 0.0, // layer_row
-                106.5, // layer_edge
-                204.9, // bent_edge
-                258.1, // sum_row
-                158.6, // row_chain
-                127.1, // sum_part
-                10.2, // sum_pixel
+                96.9, // layer_edge
+                215.8, // bent_edge
+                281.5, // sum_row
+                154.6, // row_chain
+                125.7, // sum_part
+                9.7, // sum_pixel
                 0.0, // edge_group
-                117.1, // line_crossing
-                49.0, // span
-                2.4, // fill
-                1.0, // filled_pixel
+                116.1, // line_crossing
+                50.6, // span
+                3.2, // fill
+                1.1, // filled_pixel
                 22.8, // blended_pixel
-                37.8, // faded_pixel
+                37.7, // faded_pixel
             }),
     },
     // cortex-m4
     {
-        .code = 87396,
+        .code = 88148,
         .bare_code = 58100,
         .feature_code = {2672, 5080, 4612, 5804, 2168, 3896, 856, 552, 2240, 1528, 5832, 480},
         .fixed_ram = 4,
-        .stack = 6320,
-        .cycles = 1.80,
+        .stack = 6280,
+        .cycles = 1.79,
         .frame = 442,
-        .area = 404,
+        .area = 411,
         .work =
             std::to_array<double>({
-                1578.4, // picture
-                98.5, // timeline
-                994.1, // key
-                511.1, // item
-                471.3, // track
-                1502.0, // placement
-                267.7, // law
-                1672.5, // bezier_law
-                1734.0, // bone
+                1578.5, // picture
+                97.7, // timeline
+                1018.4, // key
+                514.5, // item
+                515.8, // track
+                1284.4, // placement
+                271.3, // law
+                1693.1, // bezier_law
+                1673.6, // bone
                 0.0, // object
-                1037.2, // stroke
-                505.3, // segment
+                957.7, // stroke
+                507.3, // segment
                 0.0, // line
-                267.1, // curve
-                881.6, // split
-                92.6, // point
+                269.8, // curve
+                875.8, // split
+                98.3, // point
                 0.0, // wide_point
-                411.6, // projected_point
-                166.5, // carried_point
-                528.5, // bent_point
-                74.6, // piece
-                334.4, // pen_piece
-                6.9, // bend
+                410.3, // projected_point
+                170.5, // carried_point
+                535.5, // bent_point
+                52.6, // piece
+                314.0, // pen_piece
+                30.7, // bend
                 0.0, // slight_bend
-                119.9, // placed_corner
-                169.4, // corner
-                532.8, // chain
-                7.2, // crossing
+                126.4, // placed_corner
+                194.0, // corner
+                515.7, // chain
+                6.7, // crossing
                 40.8, // kept_chain
-                265.9, // step
-                57.6, // passed_band
+                266.7, // step
+                57.5, // passed_band
                 0.0, // passed_border
-                401.5, // band
-                311.8, // band_chain
-                348.7, // straight_chain
-                50.6, // border
-                258.4, // region
-                95.4, // edge_row
-                3.0, // flat_pixel
-                32.4, // chain_visit
-                374.5, // layer
+                399.9, // band
+                313.1, // band_chain
+                354.2, // straight_chain
+                50.7, // border
+                252.6, // region
+                93.2, // edge_row
+                3.2, // flat_pixel
+                34.4, // chain_visit
+                401.5, // layer
                 0.0, // layer_row
-                105.8, // layer_edge
-                217.0, // bent_edge
-                260.6, // sum_row
-                157.7, // row_chain
-                127.2, // sum_part
-                9.5, // sum_pixel
+                96.2, // layer_edge
+                228.0, // bent_edge
+                284.0, // sum_row
+                153.7, // row_chain
+                125.8, // sum_part
+                9.0, // sum_pixel
                 0.0, // edge_group
-                116.9, // line_crossing
-                49.8, // span
-                2.8, // fill
+                115.9, // line_crossing
+                51.4, // span
+                3.5, // fill
                 1.0, // filled_pixel
                 22.8, // blended_pixel
-                36.8, // faded_pixel
+                36.7, // faded_pixel
             }),
     },
     // cortex-m7
@@ -235,136 +235,136 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .bare_code = 58140,
         .feature_code = {2672, 5072, 4596, 5796, 2160, 3884, 848, 544, 2240, 1520, 5816, 480},
         .fixed_ram = 4,
-        .stack = 6320,
+        .stack = 5736,
         .cycles = 1.67,
-        .frame = 438,
-        .area = 417,
+        .frame = 436,
+        .area = 435,
         .work =
             std::to_array<double>({
-                1573.8, // picture
-                98.6, // timeline
-                993.9, // key
-                514.2, // item
-                469.1, // track
-                1493.4, // placement
-                267.3, // law
-                1659.7, // bezier_law
-                1733.9, // bone
-                0.0, // object
-                1048.1, // stroke
-                505.8, // segment
-                0.0, // line
-                266.8, // curve
-                880.9, // split
-                93.5, // point
+                1838.7, // picture
+                99.5, // timeline
+                1040.7, // key
+                354.6, // item
+                1055.0, // track
+                66.0, // placement
+                260.4, // law
+                1643.3, // bezier_law
+                1649.2, // bone
+                236.1, // object
+                413.6, // stroke
+                485.6, // segment
+                221.4, // line
+                408.7, // curve
+                726.0, // split
+                46.1, // point
                 0.0, // wide_point
-                409.8, // projected_point
-                165.9, // carried_point
-                528.1, // bent_point
-                74.7, // piece
-                334.7, // pen_piece
-                17.6, // bend
+                395.9, // projected_point
+                0.0, // carried_point
+                0.0, // bent_point
+                242.5, // piece
+                507.1, // pen_piece
+                286.8, // bend
                 0.0, // slight_bend
-                118.1, // placed_corner
-                166.7, // corner
-                527.9, // chain
-                7.2, // crossing
-                40.9, // kept_chain
-                266.6, // step
-                57.4, // passed_band
+                133.4, // placed_corner
+                0.0, // corner
+                563.2, // chain
+                7.1, // crossing
+                40.2, // kept_chain
+                212.0, // step
+                67.2, // passed_band
                 0.0, // passed_border
-                401.4, // band
-                313.0, // band_chain
-                349.8, // straight_chain
-                50.7, // border
-                250.9, // region
-                98.8, // edge_row
-                1.7, // flat_pixel
-                32.7, // chain_visit
-                364.1, // layer
+                407.7, // band
+                301.2, // band_chain
+                296.2, // straight_chain
+                48.1, // border
+                174.6, // region
+                131.7, // edge_row
+                0.0, // flat_pixel
+                38.1, // chain_visit
+                481.9, // layer
                 0.0, // layer_row
-                107.5, // layer_edge
-                211.8, // bent_edge
-                262.3, // sum_row
-                158.8, // row_chain
-                129.9, // sum_part
-                12.0, // sum_pixel
+                101.5, // layer_edge
+                87.1, // bent_edge
+                228.9, // sum_row
+                166.7, // row_chain
+                124.4, // sum_part
+                13.2, // sum_pixel
                 0.0, // edge_group
-                115.4, // line_crossing
-                43.8, // span
-                3.2, // fill
-                1.2, // filled_pixel
-                23.7, // blended_pixel
-                37.9, // faded_pixel
+                98.5, // line_crossing
+                45.1, // span
+                20.8, // fill
+                0.5, // filled_pixel
+                29.3, // blended_pixel
+                34.1, // faded_pixel
             }),
     },
     // cortex-m33
     {
-        .code = 87412,
+        .code = 88188,
         .bare_code = 58144,
         .feature_code = {2664, 5080, 4612, 5812, 2172, 3900, 856, 552, 2244, 1524, 5808, 488},
         .fixed_ram = 4,
-        .stack = 6320,
+        .stack = 6280,
         .cycles = 1.80,
         .frame = 441,
-        .area = 406,
+        .area = 413,
         .work =
             std::to_array<double>({
-                1575.5, // picture
-                98.6, // timeline
-                993.9, // key
-                512.8, // item
-                470.0, // track
-                1491.4, // placement
-                267.5, // law
-                1658.7, // bezier_law
-                1732.4, // bone
+                1575.6, // picture
+                97.8, // timeline
+                1018.3, // key
+                516.2, // item
+                514.6, // track
+                1273.5, // placement
+                271.2, // law
+                1680.0, // bezier_law
+                1671.4, // bone
                 0.0, // object
-                1044.5, // stroke
-                505.8, // segment
+                964.8, // stroke
+                507.8, // segment
                 0.0, // line
-                266.7, // curve
-                881.0, // split
-                93.5, // point
+                269.5, // curve
+                875.3, // split
+                99.2, // point
                 0.0, // wide_point
-                410.8, // projected_point
-                166.1, // carried_point
-                527.8, // bent_point
-                74.4, // piece
-                334.1, // pen_piece
-                16.3, // bend
+                409.5, // projected_point
+                170.1, // carried_point
+                534.9, // bent_point
+                52.5, // piece
+                313.9, // pen_piece
+                40.9, // bend
                 0.0, // slight_bend
-                118.2, // placed_corner
-                167.1, // corner
-                527.9, // chain
-                7.2, // crossing
-                40.9, // kept_chain
-                265.7, // step
-                57.6, // passed_band
+                124.6, // placed_corner
+                191.5, // corner
+                511.0, // chain
+                6.7, // crossing
+                40.8, // kept_chain
+                266.5, // step
+                57.4, // passed_band
                 0.0, // passed_border
-                400.9, // band
-                312.4, // band_chain
-                350.1, // straight_chain
-                50.5, // border
-                258.8, // region
-                95.4, // edge_row
-                2.3, // flat_pixel
-                32.6, // chain_visit
-                372.3, // layer
+                399.3, // band
+                313.7, // band_chain
+                355.5, // straight_chain
+                50.7, // border
+                253.0, // region
+                93.3, // edge_row
+                2.5, // flat_pixel
+                34.6, // chain_visit
+                399.3, // layer
                 0.0, // layer_row
-                106.5, // layer_edge
-                204.8, // bent_edge
-                258.0, // sum_row
-                158.5, // row_chain
-                127.1, // sum_part
-                10.2, // sum_pixel
+                96.9, // layer_edge
+                215.7, // bent_edge
+                281.4, // sum_row
+                154.5, // row_chain
+                125.7, // sum_part
+                9.7, // sum_pixel
                 0.0, // edge_group
-                117.0, // line_crossing
-                49.0, // span
-                2.4, // fill
-                1.0, // filled_pixel
+                116.1, // line_crossing
+                50.6, // span
+                3.2, // fill
+                1.1, // filled_pixel
                 22.8, // blended_pixel
-                37.8, // faded_pixel
+                37.7, // faded_pixel
             }),
     },
 }};

@@ -141,7 +141,7 @@ class Calibration:
         send = fit([areas, one], "send")
         image = guest.image_for(self.chosen.images, cpu)
         bare, *with_one = (images.player_bytes(self.chosen.images / f"feature-{name}-{cpu}.elf") for name in FEATURES)
-        return Costs(code=images.player_bytes(image), bare_code=bare, feature_code=[each - bare for each in with_one],
+        return Costs(code=images.player_bytes(image), bare_code=bare, feature_code=[max(each - bare, 0) for each in with_one],
                      fixed_ram=max(images.static_bytes(image) - self.chosen.bands, 0),
                      stack=max(each.run.stack for each in plays), cycles=self.cycles(cpu),
                      frame=update[-1] + draw[-1] + send[-1], area=draw[-2] + send[-2], work=[*update[:-1], *draw[:-2]])
