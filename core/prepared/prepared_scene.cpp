@@ -6,8 +6,6 @@
 #include "core/prepared/preparer.hpp"
 #include "core/time/track.hpp"
 
-#include <algorithm>
-
 namespace kfast {
 
 namespace {
@@ -79,15 +77,14 @@ void PreparedScene::move_to(const SceneView& scene, const SceneTime& moment, std
 /// them show.
 [[gnu::cold, gnu::noinline]] void PreparedScene::set_clocks(const SceneView& scene, const SceneTime& moment)
 {
-    if (!moment.clocks().empty()) {
-        std::ranges::copy(moment.clocks(), clocks_.begin());
-        return;
-    }
     const SceneTime with_clocks{moment.time(), {}, clocks_};
+    const bool is_told = !moment.clocks().empty();
     ClockCursor clocks = scene.clocks();
+    std::size_t number = 0;
     for (Time& shown : clocks_) {
         const Clock clock = clocks.next();
-        shown = clock.at(with_clocks.at(clock.driver));
+        shown = is_told ? moment.at(Driver::of_clock(number)) : clock.at(with_clocks.at(clock.driver));
+        ++number;
     }
 }
 

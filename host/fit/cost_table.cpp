@@ -25,44 +25,44 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     // cortex-m0
     {
         .code = 91200,
-        .bare_code = 61000,
-        .feature_code = {1968, 4776, 4128, 5396, 1664, 3612, 332, 64, 1772, 948, 5368, 0},
+        .bare_code = 60440,
+        .feature_code = {2528, 5336, 4688, 5956, 2224, 4172, 892, 624, 2332, 1508, 5928, 524},
         .fixed_ram = 4,
-        .stack = 6664,
+        .stack = 6680,
         .cycles = 1.68,
         .frame = 905,
         .area = 532,
         .work =
             std::to_array<double>({
-                2048.4, // picture
-                123.6, // timeline
-                1140.0, // key
-                615.3, // item
-                852.2, // track
-                1580.8, // placement
-                627.2, // law
-                2733.7, // bezier_law
-                2214.7, // bone
+                2041.1, // picture
+                123.8, // timeline
+                1135.9, // key
+                617.3, // item
+                841.1, // track
+                1601.5, // placement
+                625.7, // law
+                2725.5, // bezier_law
+                2235.3, // bone
                 0.0, // object
-                1433.2, // stroke
-                757.8, // segment
-                0.0, // line
-                275.2, // curve
-                1057.5, // split
-                138.4, // point
+                1457.2, // stroke
+                756.1, // segment
+                21.4, // line
+                287.7, // curve
+                1059.1, // split
+                137.7, // point
                 0.0, // wide_point
-                934.3, // projected_point
-                198.9, // carried_point
-                618.1, // bent_point
-                73.0, // piece
-                481.4, // pen_piece
-                174.5, // bend
+                933.1, // projected_point
+                200.6, // carried_point
+                614.5, // bent_point
+                88.3, // piece
+                463.7, // pen_piece
+                209.8, // bend
                 0.0, // slight_bend
-                185.4, // placed_corner
-                248.5, // corner
-                680.3, // chain
-                6.6, // crossing
-                53.1, // kept_chain
+                184.1, // placed_corner
+                231.4, // corner
+                682.5, // chain
+                6.8, // crossing
+                53.2, // kept_chain
                 355.5, // step
                 81.4, // passed_band
                 0.0, // passed_border
@@ -97,40 +97,40 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .bare_code = 58080,
         .feature_code = {2648, 5088, 4608, 5812, 2160, 3896, 844, 544, 2232, 1520, 5792, 480},
         .fixed_ram = 4,
-        .stack = 6280,
+        .stack = 6296,
         .cycles = 1.80,
         .frame = 441,
         .area = 413,
         .work =
             std::to_array<double>({
-                1575.8, // picture
+                1573.1, // picture
                 97.8, // timeline
-                1018.1, // key
-                516.0, // item
-                514.3, // track
-                1274.2, // placement
-                271.2, // law
-                1680.0, // bezier_law
-                1673.1, // bone
+                1015.1, // key
+                516.5, // item
+                509.8, // track
+                1278.0, // placement
+                270.9, // law
+                1685.8, // bezier_law
+                1681.7, // bone
                 0.0, // object
-                967.7, // stroke
-                508.5, // segment
+                1001.6, // stroke
+                510.0, // segment
                 0.0, // line
-                269.6, // curve
-                879.1, // split
-                99.1, // point
+                275.4, // curve
+                876.4, // split
+                98.7, // point
                 0.0, // wide_point
-                409.4, // projected_point
-                170.4, // carried_point
-                535.3, // bent_point
-                52.9, // piece
-                314.5, // pen_piece
-                41.6, // bend
+                409.0, // projected_point
+                169.3, // carried_point
+                533.0, // bent_point
+                58.3, // piece
+                307.2, // pen_piece
+                60.3, // bend
                 0.0, // slight_bend
-                124.5, // placed_corner
-                191.0, // corner
-                511.1, // chain
-                6.7, // crossing
+                124.1, // placed_corner
+                184.4, // corner
+                511.6, // chain
+                6.8, // crossing
                 40.8, // kept_chain
                 265.7, // step
                 56.4, // passed_band
@@ -166,40 +166,40 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
         .bare_code = 58100,
         .feature_code = {2672, 5080, 4612, 5804, 2168, 3896, 856, 552, 2240, 1528, 5832, 480},
         .fixed_ram = 4,
-        .stack = 6280,
+        .stack = 6296,
         .cycles = 1.79,
         .frame = 442,
         .area = 411,
         .work =
             std::to_array<double>({
-                1578.5, // picture
+                1575.8, // picture
                 97.7, // timeline
-                1018.4, // key
-                514.5, // item
-                515.8, // track
-                1284.4, // placement
-                271.3, // law
-                1693.1, // bezier_law
-                1673.6, // bone
+                1015.3, // key
+                514.9, // item
+                511.2, // track
+                1288.2, // placement
+                271.0, // law
+                1699.0, // bezier_law
+                1682.1, // bone
                 0.0, // object
-                957.7, // stroke
-                507.3, // segment
+                991.5, // stroke
+                508.9, // segment
                 0.0, // line
-                269.8, // curve
-                875.8, // split
-                98.3, // point
+                275.6, // curve
+                873.0, // split
+                97.9, // point
                 0.0, // wide_point
-                410.3, // projected_point
-                170.5, // carried_point
-                535.5, // bent_point
-                52.6, // piece
-                314.0, // pen_piece
-                30.7, // bend
+                409.8, // projected_point
+                169.5, // carried_point
+                533.2, // bent_point
+                58.0, // piece
+                306.8, // pen_piece
+                49.4, // bend
                 0.0, // slight_bend
-                126.4, // placed_corner
-                194.0, // corner
-                515.7, // chain
-                6.7, // crossing
+                125.9, // placed_corner
+                187.3, // corner
+                516.2, // chain
+                6.9, // crossing
                 40.8, // kept_chain
                 266.7, // step
                 57.5, // passed_band
@@ -231,113 +231,113 @@ constexpr std::array<ProcessorCosts, processor_count> table{{
     },
     // cortex-m7
     {
-        .code = 87412,
+        .code = 88188,
         .bare_code = 58140,
         .feature_code = {2672, 5072, 4596, 5796, 2160, 3884, 848, 544, 2240, 1520, 5816, 480},
         .fixed_ram = 4,
-        .stack = 5736,
+        .stack = 6280,
         .cycles = 1.67,
-        .frame = 436,
-        .area = 435,
+        .frame = 438,
+        .area = 424,
         .work =
             std::to_array<double>({
-                1838.7, // picture
-                99.5, // timeline
-                1040.7, // key
-                354.6, // item
-                1055.0, // track
-                66.0, // placement
-                260.4, // law
-                1643.3, // bezier_law
-                1649.2, // bone
-                236.1, // object
-                413.6, // stroke
-                485.6, // segment
-                221.4, // line
-                408.7, // curve
-                726.0, // split
-                46.1, // point
+                1574.2, // picture
+                97.8, // timeline
+                1018.6, // key
+                517.6, // item
+                513.9, // track
+                1275.7, // placement
+                271.0, // law
+                1679.8, // bezier_law
+                1671.7, // bone
+                0.0, // object
+                963.4, // stroke
+                507.6, // segment
+                0.0, // line
+                269.3, // curve
+                875.4, // split
+                99.3, // point
                 0.0, // wide_point
-                395.9, // projected_point
-                0.0, // carried_point
-                0.0, // bent_point
-                242.5, // piece
-                507.1, // pen_piece
-                286.8, // bend
+                408.5, // projected_point
+                170.0, // carried_point
+                535.4, // bent_point
+                52.1, // piece
+                315.3, // pen_piece
+                40.2, // bend
                 0.0, // slight_bend
-                133.4, // placed_corner
-                0.0, // corner
-                563.2, // chain
-                7.1, // crossing
-                40.2, // kept_chain
-                212.0, // step
-                67.2, // passed_band
+                124.6, // placed_corner
+                191.9, // corner
+                510.8, // chain
+                6.7, // crossing
+                40.8, // kept_chain
+                267.5, // step
+                57.3, // passed_band
                 0.0, // passed_border
-                407.7, // band
-                301.2, // band_chain
-                296.2, // straight_chain
-                48.1, // border
-                174.6, // region
-                131.7, // edge_row
-                0.0, // flat_pixel
-                38.1, // chain_visit
-                481.9, // layer
+                399.8, // band
+                314.4, // band_chain
+                355.4, // straight_chain
+                50.9, // border
+                245.0, // region
+                96.7, // edge_row
+                2.0, // flat_pixel
+                34.6, // chain_visit
+                391.4, // layer
                 0.0, // layer_row
-                101.5, // layer_edge
-                87.1, // bent_edge
-                228.9, // sum_row
-                166.7, // row_chain
-                124.4, // sum_part
-                13.2, // sum_pixel
+                97.9, // layer_edge
+                222.7, // bent_edge
+                285.8, // sum_row
+                154.9, // row_chain
+                128.5, // sum_part
+                11.5, // sum_pixel
                 0.0, // edge_group
-                98.5, // line_crossing
-                45.1, // span
-                20.8, // fill
-                0.5, // filled_pixel
-                29.3, // blended_pixel
-                34.1, // faded_pixel
+                114.4, // line_crossing
+                45.3, // span
+                4.0, // fill
+                1.2, // filled_pixel
+                23.7, // blended_pixel
+                37.8, // faded_pixel
             }),
     },
     // cortex-m33
     {
-        .code = 88188,
+        .code = 88172,
         .bare_code = 58144,
         .feature_code = {2664, 5080, 4612, 5812, 2172, 3900, 856, 552, 2244, 1524, 5808, 488},
         .fixed_ram = 4,
-        .stack = 6280,
+        .stack = 6296,
         .cycles = 1.80,
         .frame = 441,
         .area = 413,
         .work =
             std::to_array<double>({
-                1575.6, // picture
+                1572.9, // picture
                 97.8, // timeline
-                1018.3, // key
-                516.2, // item
-                514.6, // track
-                1273.5, // placement
-                271.2, // law
-                1680.0, // bezier_law
-                1671.4, // bone
+                1015.2, // key
+                516.6, // item
+                510.0, // track
+                1277.4, // placement
+                270.9, // law
+                1685.7, // bezier_law
+                1680.0, // bone
                 0.0, // object
-                964.8, // stroke
-                507.8, // segment
+                998.7, // stroke
+                509.4, // segment
                 0.0, // line
-                269.5, // curve
-                875.3, // split
-                99.2, // point
+                275.3, // curve
+                872.5, // split
+                98.8, // point
                 0.0, // wide_point
-                409.5, // projected_point
-                170.1, // carried_point
-                534.9, // bent_point
-                52.5, // piece
-                313.9, // pen_piece
-                40.9, // bend
+                409.0, // projected_point
+                169.1, // carried_point
+                532.6, // bent_point
+                57.9, // piece
+                306.6, // pen_piece
+                59.6, // bend
                 0.0, // slight_bend
-                124.6, // placed_corner
-                191.5, // corner
-                511.0, // chain
-                6.7, // crossing
+                124.1, // placed_corner
+                184.9, // corner
+                511.5, // chain
+                6.8, // crossing
                 40.8, // kept_chain
                 266.5, // step
                 57.4, // passed_band

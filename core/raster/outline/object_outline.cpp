@@ -35,7 +35,6 @@ void ObjectOutline::end(Point hub, bool is_closed)
 
 void ObjectOutline::begin_piece(Point from)
 {
-    is_at_begin_ = true;
     if (stroke_)
         stroke_->begin(view_(from));
     else
@@ -46,7 +45,7 @@ void ObjectOutline::add_to_piece(const Segment& segment)
 {
     const int pieces = view_.pieces_of(segment);
     if (stroke_)
-        return add_to_stroke(segment, pieces);
+        return stroke_->add(segment, pieces, view_);
     if (!view_.is_flat())
         return flatten(segment, pieces, [this](Point to) { fill_.line_to(view_(to)); });
     FillOutline fill = fill_; // a copy, for registers: most of what is drawn
@@ -54,22 +53,10 @@ void ObjectOutline::add_to_piece(const Segment& segment)
     fill_ = fill;
 }
 
-void ObjectOutline::add_to_stroke(const Segment& segment, int pieces)
-{
-    const bool is_curve = segment.kind == Segment::Kind::cubic;
-    if (is_curve && is_at_begin_)
-        stroke_->set_tangent(view_(after_begin(segment)) - view_(segment.from));
-    is_at_begin_ = false;
-    flatten(segment, stroke_->pieces_of_rims(pieces), [this](Point to) { stroke_->line_to(view_(to)); });
-    end_tangent_ = is_curve ? view_(segment.to) - view_(before_end(segment)) : Point{};
-}
-
 void ObjectOutline::end_whole(Point hub, bool is_closed)
 {
     if (!stroke_)
         return fill_.end(view_(hub));
-    if (!is_closed)
-        stroke_->set_tangent(end_tangent_);
     stroke_->end(is_closed);
 }
 

@@ -71,15 +71,12 @@ public:
 
 private:
     [[gnu::noinline]] void end_whole(Point hub, bool is_closed);
-    void add_to_stroke(const Segment& segment, int pieces);
 
     raster::OutlineStore& outlines_;
     ViewProjection view_;
     FillOutline fill_;
     std::optional<StrokeOutline> stroke_;
     StrokeTrimmer* trimmer_ = nullptr;
-    bool is_at_begin_ = false; ///< of a stroke
-    Point end_tangent_;        ///< of a stroke that ends in a curve, otherwise none
 };
 
 }

@@ -139,8 +139,7 @@ struct StrokeOutline::Bend {
 };
 
 const StrokeOutline::Code StrokeOutline::code{.begin = plain_function<&StrokeOutline::begin_stroke>,
-                                              .line_to = plain_function<&StrokeOutline::go_to>,
-                                              .set_tangent = plain_function<&StrokeOutline::turn_to>,
+                                              .add = plain_function<&StrokeOutline::add_segment>,
                                               .end = plain_function<&StrokeOutline::end_stroke>};
 
 void emplace_stroke_outline(std::optional<StrokeOutline>& outline, raster::OutlineStore& outlines,
@@ -167,9 +166,21 @@ void StrokeOutline::begin_stroke(Point at)
     first_ = last_ = at;
     has_piece_ = false;
     has_tangent_ = false;
+    is_at_begin_ = true;
+    end_tangent_ = {};
 }
 
-void StrokeOutline::go_to(Point to)
+void StrokeOutline::add_segment(const Segment& segment, int pieces, const ViewProjection& view)
+{
+    const bool is_curve = segment.kind == Segment::Kind::cubic;
+    if (is_curve && is_at_begin_)
+        set_tangent(view(after_begin(segment)) - view(segment.from));
+    is_at_begin_ = false;
+    flatten(segment, pieces_of_rims(pieces), [&](Point to) { line_to(view(to)); });
+    end_tangent_ = is_curve ? view(segment.to) - view(before_end(segment)) : Point{};
+}
+
+void StrokeOutline::line_to(Point to)
 {
     const Point step = to - last_;
     if (std::max(std::abs(step.x.raw()), std::abs(step.y.raw())) < shortest_step)
@@ -189,7 +200,9 @@ void StrokeOutline::go_to(Point to)
     has_piece_ = true;
 }
 
-void StrokeOutline::turn_to(Point tangent)
+/// The curve begins or ends at the last point in this direction: the stroke is cut across it, and not across
+/// a chord, where the chord is long enough.
+void StrokeOutline::set_tangent(Point tangent)
 {
     if (rough_length(tangent.x.raw(), tangent.y.raw()) < shortest_step)
         return;
@@ -222,8 +235,10 @@ void StrokeOutline::end_stroke(bool is_closed)
         join(first_piece_);
         last_piece_ = first_piece_;
     }
-    if (!is_closed)
+    if (!is_closed) {
+        set_tangent(end_tangent_);
         return cap_end(), cap_beginning();
+    }
     add(Side::right, last_ + last_piece_.side);
     add(Side::left, last_ - last_piece_.side);
     outlines_.close();
@@ -257,6 +272,7 @@ void StrokeOutline::end_after_seam()
     if (!has_piece_)
         return;
     seam_piece_ = first_piece_;
+    set_tangent(end_tangent_);
     cap_end();
 }
 

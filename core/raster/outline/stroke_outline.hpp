@@ -2,6 +2,7 @@
 
 #include "core/math/angle.hpp"
 #include "core/math/flatten.hpp"
+#include "core/math/projection.hpp"
 #include "core/pixel/paint_style.hpp"
 #include "core/raster/outline/outline_store.hpp"
 
@@ -30,6 +31,23 @@ public:
     /// `coarseness`: how often the maximum length of pieces of arcs is doubled.
     StrokeOutline(raster::OutlineStore& outlines, const Pen& pen, int coarseness);
 
+    void begin(Point at) { code_->begin(*this, at); }
+    /// A segment from the last point on, as `view` shows it, in so many straight pieces, or in more for a
+    /// wide pen. Where a stroke begins or ends with a curve, it does so across its tangent.
+    void add(const Segment& segment, int pieces, const ViewProjection& view)
+    {
+        code_->add(*this, segment, pieces, view);
+    }
+    /// Points closer than 1/256 px to the previous one are skipped: their direction would be noise.
+    void line_to(Point to);
+    /// Ends the stroke with two caps, or joins its end to its beginning.
+    void end(bool is_closed) { code_->end(*this, is_closed); }
+    /// Ends the first piece of a closed stroke that is drawn across its seam: without a cap where it began.
+    [[gnu::cold]] void end_after_seam();
+    /// Ends the last piece of that stroke, which is the next one: joined to where the first one began.
+    [[gnu::cold]] void end_at_seam();
+
+private:
     /// How many pieces a curve needs that `pieces` would do for, were it not as wide. A rim half a width
     /// outside of the middle, whose radius is r, is farther from its chords by half_width / r; and a quarter
     /// of a circle has sqrt(5 r) pieces. Of curves that bend less, half as many again are enough.
@@ -42,33 +60,17 @@ public:
         return std::min(pieces + std::min(half_width * 5 / pieces, pieces) / 2, max_steps);
     }
 
-    void begin(Point at) { code_->begin(*this, at); }
-    /// Points closer than 1/256 px to the previous one are skipped: their direction would be noise.
-    void line_to(Point to) { code_->line_to(*this, to); }
-    /// The curve that begins or ends at the last point does so in this direction: the stroke begins, and if
-    /// it ends here ends, across it and not across a chord, where the chord is long enough. The last call
-    /// before the first line_to() and the last one before end() count.
-    void set_tangent(Point tangent) { code_->set_tangent(*this, tangent); }
-    /// Ends the stroke with two caps, or joins its end to its beginning.
-    void end(bool is_closed) { code_->end(*this, is_closed); }
-    /// Ends the first piece of a closed stroke that is drawn across its seam: without a cap where it began.
-    [[gnu::cold]] void end_after_seam();
-    /// Ends the last piece of that stroke, which is the next one: joined to where the first one began.
-    [[gnu::cold]] void end_at_seam();
-
-private:
     /// The functions that work on it: linked only with what makes one.
     struct Code {
         void (*begin)(StrokeOutline&, Point at);
-        void (*line_to)(StrokeOutline&, Point to);
-        void (*set_tangent)(StrokeOutline&, Point tangent);
+        void (*add)(StrokeOutline&, const Segment& segment, int pieces, const ViewProjection& view);
         void (*end)(StrokeOutline&, bool is_closed);
     };
     static const Code code;
 
     void begin_stroke(Point at);
-    void go_to(Point to);
-    void turn_to(Point tangent);
+    void add_segment(const Segment& segment, int pieces, const ViewProjection& view);
+    void set_tangent(Point tangent);
     void end_stroke(bool is_closed);
 
     enum class Side : std::uint8_t { right, left };
@@ -107,6 +109,8 @@ private:
     Piece last_piece_;
     Piece seam_piece_; ///< with which the first piece began, whose end is joined to it
     bool has_piece_ = false;
+    bool is_at_begin_ = false;
+    Point end_tangent_;        ///< none where the stroke ends with a line
     bool has_tangent_ = false; ///< first_piece_ is the tangent that the stroke begins with
 };
 

@@ -22,7 +22,6 @@ void ObjectOutline::end_piece(Point hub, PieceEnd end)
         return end_whole(hub, end == PieceEnd::closed);
     if (end == PieceEnd::at_seam)
         return stroke_->end_at_seam();
-    stroke_->set_tangent(end_tangent_);
     stroke_->end_after_seam();
 }
 

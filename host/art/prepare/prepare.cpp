@@ -193,9 +193,13 @@ std::vector<Span> cropped(const std::vector<Span>& shown, const Length& length)
             span.to > length.frames || (span.to == length.frames && length.loop == Loop::repeat);
         const bool begins_behind =
             span.from > length.frames || (span.from == length.frames && length.loop == Loop::repeat);
-        if (span.to > 0 && !begins_behind)
-            kept.push_back(
-                {.from = span.from > 0 ? span.from : -endless, .to = ends_behind ? endless : span.to});
+        if (span.to <= 0 || begins_behind)
+            continue;
+        kept.push_back(span);
+        if (span.from <= 0)
+            kept.back().from = -endless;
+        if (ends_behind)
+            kept.back().to = endless;
     }
     return kept;
 }

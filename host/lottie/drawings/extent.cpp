@@ -273,9 +273,8 @@ Coverage coverage_by(const art::Node& node, std::span<const Vec2> polygon, const
         const double fill =
             shape.fill ? shape.fill->opacity.at(time) * strength(shape.fill->colour.at(time), by_luminance)
                        : 0;
-        if (!box_at({&node, 1}, time, matrix).touches(box_around(polygon)))
-            coverage = Coverage::nothing;
-        else if (fill <= 1 - nearly_all && !shape.stroke)
+        const bool is_unpainted = fill <= 1 - nearly_all && !shape.stroke;
+        if (is_unpainted || !box_at({&node, 1}, time, matrix).touches(box_around(polygon)))
             coverage = Coverage::nothing;
         else if (fill >= nearly_all && shape.drawing.at(time).outlines.size() == 1 &&
                  contains({{inner.of(shape.drawing.at(time).outlines.front())}}, polygon))

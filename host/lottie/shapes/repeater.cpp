@@ -284,10 +284,10 @@ std::vector<ShapeItem> repeated(const std::vector<ShapeItem>& items, const Json&
         copies.push_back(copy(items, repeater, index, reading.budget));
     }
     if (const auto set = copy_set(repeater, count))
-        for (ShapeItem& item : copies) {
-            auto& group = std::get<GroupItem>(item.content);
+        for (ShapeItem& each : copies) {
+            auto& group = std::get<GroupItem>(each.content);
             group.copies = set;
-            group.is_first_copy = &item == &copies.front();
+            group.is_first_copy = &each == &copies.front();
         }
     if (!repeater.first_on_top)
         std::ranges::reverse(copies);
