@@ -17,7 +17,6 @@ namespace kfast {
 /// the same one, or that have the same period, keep their distance and are varied together.
 class ClockPhases {
 public:
-    /// Of a scene that goes through `whole` once; it must outlive this.
     explicit ClockPhases(const SceneView& scene);
 
     /// Whether there is anything to vary: clocks that repeat, in a scene of more than `max_frames`.

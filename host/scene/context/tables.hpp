@@ -74,7 +74,7 @@ struct SymbolEntry {
     std::optional<Time> length;     ///< of its own time, if it gives one
     std::optional<Loop> loop;       ///< likewise
     Time last_key;                  ///< the end of its keys, and of one pass of what it uses
-    bool is_retimed = false;        ///< a use of it has a time of its own
+    bool is_retimed = false;        ///< a use of it, or of what it is in, has a time of its own
     std::vector<std::size_t> users; ///< the numbers of the symbols that use it
     /// Of keys that the scene ends before, if it goes by the scene's time; "key" or "value", and where.
     std::vector<std::pair<std::string, SourceSpan>> late_keys;

@@ -219,19 +219,25 @@ void check_unused_symbols(SceneContext& context)
 
 namespace {
 
-bool is_retimed(const SymbolEntry& symbol, const SymbolTable& symbols)
+/// What is in a symbol with a time of its own goes by it, too.
+void spread_own_times(SymbolTable& symbols)
 {
-    return symbol.is_retimed || std::ranges::any_of(symbol.users, [&symbols](std::size_t user) {
-               return is_retimed(symbols.entries[user], symbols);
-           });
+    const auto is_retimed = [&symbols](std::size_t user) { return symbols.entries[user].is_retimed; };
+    for (bool has_spread = true; has_spread;) {
+        has_spread = false;
+        for (SymbolEntry& symbol : symbols.entries)
+            if (!symbol.is_retimed && std::ranges::any_of(symbol.users, is_retimed))
+                symbol.is_retimed = has_spread = true;
+    }
 }
 
 }
 
 void warn_of_late_keys(SceneContext& context)
 {
+    spread_own_times(context.symbols);
     for (const SymbolEntry& symbol : context.symbols.entries)
-        if (!symbol.late_keys.empty() && !is_retimed(symbol, context.symbols))
+        if (!symbol.late_keys.empty() && !symbol.is_retimed)
             for (const auto& [noun, place] : symbol.late_keys)
                 context.report.warning(place, "the scene ends before anything of this " + noun + " is seen",
                                        "make the scene longer with frames=… or remove the " + noun);
