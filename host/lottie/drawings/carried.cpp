@@ -30,7 +30,7 @@ bool is_shown(const std::vector<art::Span>& shown, double time)
 template <typename AffineAt>
 MovingDrawing mapped(MovingDrawing drawing, AffineAt affine_at)
 {
-    drawing.cost *= 2;
+    drawing.cost += drawing.points;
     drawing.at = [affine_at, at = std::move(drawing.at)](double time) {
         art::Drawing result = at(time);
         const Affine affine = affine_at(time);

@@ -182,7 +182,8 @@ DashedDrawing dashed(MovingDrawing drawing, const Dashes& dashes)
     if (max > (is_still ? max_dashes : max_moving_dashes))
         return {std::move(drawing), Dashing::none};
     drawing.changes_form = drawing.changes_form || !is_still;
-    drawing.cost = drawing.cost * measuring_cost + max * measuring_cost;
+    drawing.cost += (drawing.points + max) * measuring_cost;
+    drawing.points += 4 * max;
     drawing.at = [dashes, at = std::move(drawing.at)](double time) {
         return dashed_at(dashes, at(time), time);
     };

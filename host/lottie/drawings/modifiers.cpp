@@ -116,6 +116,9 @@ private:
     std::vector<Part> parts_;
 };
 
+/// A stretch that wraps makes two pieces of each outline, of which one curve is cut.
+constexpr double max_growth = 2;
+
 Moments moments_of(const Trim& trim)
 {
     Moments moments;
@@ -130,7 +133,8 @@ void trim_each(const Trim& trim, const std::vector<MovingDrawing*>& drawings)
     for (MovingDrawing* drawing : drawings) {
         drawing->moments.add(moments_of(trim));
         drawing->changes_form = drawing->changes_form || !drawing->moments.empty();
-        drawing->cost *= measuring_cost;
+        drawing->cost += drawing->points * measuring_cost;
+        drawing->points *= max_growth;
         drawing->at = [trim, at = drawing->at](double time) {
             return trimmed(at(time), 0, std::nullopt, stretch_at(trim, time));
         };
@@ -143,14 +147,15 @@ void trim_as_one(const Trim& trim, const std::vector<MovingDrawing*>& drawings)
     double cost = 1;
     for (const MovingDrawing* drawing : drawings) {
         moments.add(drawing->moments);
-        cost += drawing->moments.empty() ? 1 : 2 * drawing->cost;
+        cost += drawing->moments.empty() ? 1 : 2 * (drawing->cost + drawing->points * measuring_cost);
     }
     const auto lengths = std::make_shared<const Lengths>(drawings);
     for (std::size_t i = 0; i < drawings.size(); ++i) {
         MovingDrawing& drawing = *drawings[i];
         drawing.moments = moments;
         drawing.changes_form = drawing.changes_form || !moments.empty();
-        drawing.cost = (drawing.cost + cost) * measuring_cost;
+        drawing.cost += drawing.points * measuring_cost + cost;
+        drawing.points *= max_growth;
         drawing.at = [trim, lengths, i, at = drawing.at](double time) {
             return trimmed(at(time), lengths->sum(i, time), lengths->sum(time), stretch_at(trim, time));
         };
@@ -254,7 +259,8 @@ MovingDrawing with_rounded_corners(MovingDrawing drawing, const art::Channel& ra
         return drawing;
     drawing.changes_form = drawing.changes_form || !drawing.moments.empty();
     drawing.moments.add(radius);
-    drawing.cost *= 2;
+    drawing.points *= 2;
+    drawing.cost += drawing.points;
     drawing.at = [radius, at = std::move(drawing.at)](double time) {
         art::Drawing result = at(time);
         for (Outline& outline : result.outlines)

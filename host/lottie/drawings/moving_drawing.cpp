@@ -48,8 +48,9 @@ MovingDrawing moving(art::Animated<art::Drawing> drawing)
     const auto shared = std::make_shared<const art::Animated<art::Drawing>>(std::move(drawing));
     for (const auto& key : shared->keys) {
         result.changes_form = result.changes_form || !art::same_form(key.value, shared->keys.front().value);
-        result.cost = std::max(result.cost, static_cast<double>(point_count(key.value)));
+        result.points = std::max(result.points, static_cast<double>(point_count(key.value)));
     }
+    result.cost = result.points;
     result.at = [shared](double time) { return shared->at(time); };
     return result;
 }
@@ -62,6 +63,7 @@ MovingDrawing together(std::vector<MovingDrawing> drawings)
     for (const MovingDrawing& drawing : drawings) {
         result.moments.add(drawing.moments);
         result.changes_form = result.changes_form || drawing.changes_form;
+        result.points += drawing.points;
         result.cost += drawing.cost;
     }
     const auto parts = std::make_shared<const std::vector<MovingDrawing>>(std::move(drawings));

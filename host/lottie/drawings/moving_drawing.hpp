@@ -49,6 +49,7 @@ struct MovingDrawing {
     std::function<art::Drawing(double)> at;
     Moments moments;           ///< between them it changes smoothly; none: it never changes
     bool changes_form = false; ///< the numbers of its outlines and curves may change at any time
+    double points = 1;         ///< that it has at most
     double cost = 1;           ///< of evaluating it once, in points that are computed
 };
 

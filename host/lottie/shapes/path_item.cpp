@@ -49,7 +49,8 @@ MovingDrawing moving(std::initializer_list<const Channel*> channels,
     MovingDrawing drawing;
     for (const Channel* number : channels)
         drawing.moments.add(*number);
-    drawing.cost = 10;
+    drawing.points = 10;
+    drawing.cost = drawing.points;
     drawing.at = [outline_at = std::move(outline_at)](double time) {
         return art::Drawing{{outline_at(time)}};
     };
@@ -251,7 +252,8 @@ void read_star(PathItem& result, const Json& item, bool is_reversed, const Readi
                             [star](double time) { return star_at(star, time); });
     result.drawing.changes_form = !star.tips.is_still();
     for (const auto& key : star.tips.keys)
-        result.drawing.cost = std::max(result.drawing.cost, 4 * std::min(key.value, max_tips));
+        result.drawing.points = std::max(result.drawing.points, 4 * std::min(key.value, max_tips));
+    result.drawing.cost = result.drawing.points;
 }
 
 void read_own_path(PathItem& result, const Json& item, bool, const Reading& reading)

@@ -126,6 +126,20 @@ TEST_CASE("paths are trimmed each by itself, or as one in their order")
     CHECK(as_one.outlines[1].curves.back().to.x == doctest::Approx(20));
 }
 
+TEST_CASE("trims of what is trimmed are of what is left")
+{
+    const std::string another = R"(}, {"ty": "tm", )";
+    const ReadShapes read =
+        read_shapes(circle +
+                    trim(R"("s": {"k": 25}, "e": {"k": 75})" + another + R"("s": {"k": 50}, "e": )" +
+                         even("[99]", "[100]") + another + R"("s": {"k": 0}, "e": )" + even("[0]", "[100]")) +
+                    stroke);
+    const auto& drawing = shape(read.nodes.at(0)).drawing;
+    for (const double time : {0.7, 2.3, 4.9, 9.9})
+        CHECK(length(drawing.at(time)) ==
+              doctest::Approx(around / 2 * (0.49 + time / 1000) * time / 10).epsilon(0.003));
+}
+
 TEST_CASE("a trim behind a style and a group changes the paths before it")
 {
     const std::string group = R"({"ty": "gr", "it": [)" + line + ',' + stroke + R"(, {"ty": "tr"}]})";
