@@ -31,7 +31,7 @@ ROWS = [
     ("**file, KFAST**, bytes", [(FILES, "**KFAST**, `.kfb`")]),
     ("Lottie; gzipped", [(FILES, "Lottie"), (FILES, "Lottie, gzipped")]),
     ("GIF", [(FILES, "GIF")]),
-    ("**RAM, KFAST**, bytes, without stack (6,144) and bands", [(RAM, "**KFAST**, the block that is lent")]),
+    ("**RAM, KFAST**, bytes, without stack (6,288) and bands", [(RAM, "**KFAST**, the block that is lent")]),
     ("ThorVG, heap and canvas", [(RAM, "ThorVG, software engine and Lottie, -Os, heap and canvas")]),
     ("AnimatedGIF, raw", [(RAM, "AnimatedGIF, raw, heap and canvas")]),
     ("**instructions in a frame, KFAST**, Cortex-M0, median", [(M0, "**KFAST**")]),
