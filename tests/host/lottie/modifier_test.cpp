@@ -56,6 +56,10 @@ TEST_CASE("past the end of an open path there are two pieces; a closed one goes 
     REQUIRE(open.outlines.size() == 2);
     CHECK(open.outlines[0].from.x == doctest::Approx(75));
     CHECK(open.outlines[1].curves.back().to.x == doctest::Approx(25));
+    const std::string again = R"(}, {"ty": "tm", "e": {"k": 50})";
+    const art::Drawing first = drawing_at(line + trim(offset + again) + stroke, 0);
+    REQUIRE(first.outlines.size() == 1); // half of both is all of the first
+    CHECK(length(first) == doctest::Approx(25));
     const art::Drawing closed = drawing_at(circle + trim(offset) + stroke, 0);
     REQUIRE(closed.outlines.size() == 1);
     CHECK_FALSE(closed.outlines[0].closed);

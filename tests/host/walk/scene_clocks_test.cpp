@@ -38,6 +38,8 @@ TEST_CASE("keys of a symbol with a time of its own are where the scene first com
     CHECK(shown_frames("use s delay=2 speed=0.5 loop=repeat") == std::vector<double>{2, 8});
     CHECK(shown_frames("use s speed=-1 loop=repeat") == std::vector<double>{5, 8});
     CHECK(shown_frames("use s delay=-20 loop=repeat") == std::vector<double>{4, 7});
+    CHECK(shown_frames("use s delay=-8 loop=repeat") == std::vector<double>{0, 3});
+    CHECK(shown_frames("use s delay=-8 loop=ping-pong") == std::vector<double>{8, 11});
     CHECK(shown_frames("use s delay=39 loop=repeat") == std::vector<double>{39});
 }
 
