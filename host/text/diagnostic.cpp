@@ -33,7 +33,8 @@ void Diagnostics::error(SourceSpan place, std::string message, std::string hint)
 
 void Diagnostics::warning(SourceSpan place, std::string message, std::string hint)
 {
-    entries_.push_back({Severity::warning, place, std::move(message), std::move(hint)});
+    if (warned_.emplace(place.offset, message).second)
+        entries_.push_back({Severity::warning, place, std::move(message), std::move(hint)});
 }
 
 bool Diagnostics::has_errors() const

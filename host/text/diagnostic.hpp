@@ -2,7 +2,10 @@
 
 #include "host/text/source.hpp"
 
+#include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kfast {
@@ -21,6 +24,7 @@ struct Diagnostic {
 class Diagnostics {
 public:
     void error(SourceSpan place, std::string message, std::string hint = {});
+    /// What has been warned of at the same place, as for each copy of a symbol, is told once.
     void warning(SourceSpan place, std::string message, std::string hint = {});
 
     bool has_errors() const;
@@ -30,6 +34,7 @@ public:
 
 private:
     std::vector<Diagnostic> entries_;
+    std::set<std::pair<std::size_t, std::string>> warned_; ///< where, and of what
 };
 
 /// One diagnostic for a terminal: `name:line:column: error: message`, the line itself, a caret under the

@@ -55,7 +55,7 @@ std::optional<ItemValues> Repeat::copy(int number, const ItemValues& use) const
 
 bool Repeat::is_transparent(int number) const { return opacity_of(*this, number) == 0; }
 
-bool Repeat::is_nothing(int number) const { return in_units(size_of(*this, number)) == 0; }
+bool Repeat::is_nothing(int number) const { return std::abs(size_of(*this, number)) < 0.5; }
 
 std::optional<Time> Repeat::delay_of(int number, std::optional<Time> first) const
 {

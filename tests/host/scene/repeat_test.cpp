@@ -138,6 +138,7 @@ TEST_CASE("what is wrong with copies is told")
           "(take a smaller step, or fewer copies)");
     CHECK(items_read("use dot count=3 x-step=1 y-step=-1500" + dot)
               .starts_with("1:26 error: with this y-step the copy with the number 3 is"));
+    CHECK(items_read("use dot count=50 scale-step=64" + dot).find("shrunk") == std::string::npos);
     CHECK(items_read("use dot count=9 scale-step=2 x-step=3" + dot) ==
           "1:17 error: with this scale-step the copy with the number 8 is more than 64 times as large "
           "(take a smaller step, or fewer copies)");

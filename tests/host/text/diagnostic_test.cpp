@@ -27,6 +27,16 @@ TEST_CASE("without a remedy there is no help line, and a warning is called one")
                                         "     | ^\n");
 }
 
+TEST_CASE("the same warning at the same place is told once")
+{
+    Diagnostics diagnostics;
+    for (int copy = 0; copy < 3; ++copy)
+        diagnostics.warning({.offset = 4, .length = 1}, "odd");
+    diagnostics.warning({.offset = 4, .length = 1}, "even");
+    diagnostics.warning({.offset = 5, .length = 1}, "odd");
+    CHECK(diagnostics.in_order_found().size() == 3);
+}
+
 TEST_CASE("the gutter grows with the line number")
 {
     const SourceText source{.name = "a", .text = std::string(12344, '\n') + "x"};
