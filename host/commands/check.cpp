@@ -49,9 +49,10 @@ void warn_of_unseen(const SceneFile& scene, Diagnostics& diagnostics)
         return;
     for (const UnseenObject& object : unseen_objects(scene.view))
         diagnostics.warning(scene.item_places[object.number], "on a panel, no frame shows anything of this",
-                            object.is_hidden ? "it is hidden or transparent all the time"
-                                             : "it is outside of the canvas all the time, or has no area, or its trim or "
-                                               "dashes leave nothing of it");
+                            object.is_hidden
+                                ? "it is hidden or transparent all the time"
+                                : "it is outside of the canvas all the time, or has no area, or its trim or "
+                                  "dashes leave nothing of it");
 }
 
 void check_scene(const std::string& path, const CheckOptions& options)
