@@ -24,7 +24,7 @@ struct Diagnostic {
 class Diagnostics {
 public:
     void error(SourceSpan place, std::string message, std::string hint = {});
-    /// What has been warned of at the same place, as for each copy of a symbol, is told once.
+    /// The same warning at the same place, as for each copy of a symbol, is reported once.
     void warning(SourceSpan place, std::string message, std::string hint = {});
 
     bool has_errors() const;

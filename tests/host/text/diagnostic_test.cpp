@@ -27,7 +27,7 @@ TEST_CASE("without a remedy there is no help line, and a warning is called one")
                                         "     | ^\n");
 }
 
-TEST_CASE("the same warning at the same place is told once")
+TEST_CASE("the same warning at the same place is reported once")
 {
     Diagnostics diagnostics;
     for (int copy = 0; copy < 3; ++copy)
